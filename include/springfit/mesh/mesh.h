@@ -1,0 +1,37 @@
+#ifndef springfit_mesh_mesh_h
+#define springfit_mesh_mesh_h
+
+#include <springfit/core/cell_kind.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  /**
+   * A checked mesh of one cell kind, lengths in m. Every rank of a parallel
+   * run holds all of it; the cells' subdomain ids say which rank works on
+   * which cell.
+   *
+   * Every vertex of the triangulation belongs to a cell, so a vertex index is
+   * the number of a node, in tables as in vectors.
+   */
+  template <int dim>
+  struct Mesh
+  {
+    CellKind                   cell_kind;
+    dealii::Triangulation<dim> triangulation;
+
+    /** Names of boundary ids and material ids, where there are any. */
+    std::map<dealii::types::boundary_id, std::string> boundary_names;
+    std::map<dealii::types::material_id, std::string> material_names;
+
+    /** What a user should know about the mesh although it can be used. */
+    std::vector<std::string> warnings;
+  };
+} // namespace springfit
+
+#endif
