@@ -1,0 +1,71 @@
+#ifndef springfit_core_parameters_h
+#define springfit_core_parameters_h
+
+#include <springfit/core/error.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <filesystem>
+#include <istream>
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  /** A `set` line of a parameter file. */
+  struct ParameterLine
+  {
+    std::string  entry; // with its sections: "Geometry/Cell size"
+    std::string  value;
+    unsigned int line; // from 1
+  };
+
+  /** Every `set` line of a parameter file, in order. */
+  std::vector<ParameterLine>
+  scan_parameters(std::istream &file);
+
+
+  /**
+   * What the user says on the command line: a parameter file, and entries
+   * that take precedence over it, each as "Section/Entry=value".
+   */
+  struct ParameterSource
+  {
+    std::filesystem::path    file;
+    std::vector<std::string> overrides;
+  };
+
+  /**
+   * Check that the file of @p source can be read.
+   *
+   * @throws InputError when it is missing, a directory or unreadable.
+   */
+  void
+  check_parameter_file(const std::filesystem::path &file);
+
+  /**
+   * Read every entry of @p source into @p prm, in which all entries have been
+   * declared.
+   *
+   * @throws InputError naming the file, the line, the entry and the nearest
+   * known one when an entry is misspelt or a value does not have the form
+   * that its entry asks for.
+   */
+  void
+  read_parameters(dealii::ParameterHandler &prm,
+                  const ParameterSource    &source);
+
+  /**
+   * Read a single top-level entry and ignore all others; empty when it is not
+   * given.
+   */
+  std::string
+  read_top_level_entry(const ParameterSource &source,
+                       const std::string     &entry);
+
+  /** @p error's message, led by the place where its entry was set. */
+  std::string
+  locate(const EntryError &error, const ParameterSource &source);
+} // namespace springfit
+
+#endif

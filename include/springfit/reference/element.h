@@ -1,0 +1,37 @@
+#ifndef springfit_reference_element_h
+#define springfit_reference_element_h
+
+#include <springfit/core/cell_kind.h>
+
+#include <deal.II/base/quadrature.h>
+
+#include <deal.II/fe/fe.h>
+#include <deal.II/fe/mapping.h>
+
+#include <memory>
+
+namespace springfit
+{
+  /**
+   * What deal.II needs to integrate on the cells of one kind: the scalar
+   * linear element (P1 or Q1), its mapping, and quadratures that are exact
+   * for its stiffness on affine cells.
+   */
+  template <int dim>
+  struct Element
+  {
+    std::unique_ptr<dealii::FiniteElement<dim>> scalar;
+    std::unique_ptr<dealii::Mapping<dim>>       mapping;
+    dealii::Quadrature<dim>                     quadrature;
+    dealii::Quadrature<dim - 1>                 face_quadrature;
+
+    /** One point per vertex, in the order of the vertices. */
+    dealii::Quadrature<dim> nodal_quadrature;
+  };
+
+  template <int dim>
+  Element<dim>
+  make_element(CellKind kind);
+} // namespace springfit
+
+#endif

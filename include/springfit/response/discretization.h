@@ -1,0 +1,80 @@
+#ifndef springfit_response_discretization_h
+#define springfit_response_discretization_h
+
+#include <springfit/mesh/mesh.h>
+
+#include <deal.II/base/index_set.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/trilinos_vector.h>
+
+#include <Eigen/Core>
+
+#include <mpi.h>
+
+#include <vector>
+
+namespace springfit
+{
+  /**
+   * The unknowns that both models share: dim displacements at every node of
+   * the mesh, held at the fixed ones, divided among the ranks.
+   */
+  template <int dim>
+  class Discretization
+  {
+  public:
+    using Vector = dealii::TrilinosWrappers::MPI::Vector;
+    using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+    /** @p fixed has a flag per node. @p mesh must outlive the object. */
+    Discretization(const Mesh<dim>         &mesh,
+                   const std::vector<bool> &fixed,
+                   MPI_Comm                 communicator);
+
+    const Mesh<dim> &
+    mesh() const;
+
+    /** The degree of freedom of component @p d of node @p v. */
+    dealii::types::global_dof_index
+    dof(unsigned int v, unsigned int d) const;
+
+    unsigned int
+    n_nodes() const;
+
+    const dealii::AffineConstraints<double> &
+    constraints() const;
+
+    const dealii::IndexSet &
+    locally_owned() const;
+
+    MPI_Comm
+    communicator() const;
+
+    /** A matrix that couples the nodes of each cell, zero. */
+    void
+    initialize(Matrix &matrix) const;
+
+    /** dim x n_nodes on every rank to a vector; 0 where nodes are fixed. */
+    Vector
+    to_vector(const Eigen::MatrixXd &nodal) const;
+
+    /** And back, on every rank. */
+    Eigen::MatrixXd
+    to_nodal(const Vector &vector) const;
+
+  private:
+    const Mesh<dim>                             &mesh_;
+    const MPI_Comm                               communicator_;
+    dealii::DoFHandler<dim>                      dof_handler_;
+    std::vector<dealii::types::global_dof_index> dofs_; // dim * v + d
+    dealii::IndexSet                             locally_owned_;
+    dealii::AffineConstraints<double>            constraints_;
+    dealii::TrilinosWrappers::SparsityPattern    pattern_;
+  };
+} // namespace springfit
+
+#endif

@@ -1,0 +1,68 @@
+#ifndef springfit_response_loaded_surface_h
+#define springfit_response_loaded_surface_h
+
+#include <springfit/mesh/mesh.h>
+#include <springfit/reference/element.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace springfit
+{
+  /** The part of a mesh's boundary on which a traction acts. */
+  template <int dim>
+  class LoadedSurface
+  {
+  public:
+    struct Face
+    {
+      typename dealii::Triangulation<dim>::active_cell_iterator cell;
+      unsigned int                                              number;
+    };
+
+    /** Traction in Pa at a point. */
+    using Traction =
+      std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)>;
+
+    LoadedSurface(std::vector<Face> faces, const Element<dim> &element);
+
+    /** m^2, or m in 2-d. */
+    double
+    area() const;
+
+    dealii::Point<dim>
+    centroid() const;
+
+    /** The integral of the outward normal divided by the area. */
+    dealii::Tensor<1, dim>
+    mean_normal() const;
+
+    /** Largest distance of a vertex from the centroid, m. */
+    double
+    radius() const;
+
+    /** One flag per node of the mesh. */
+    std::vector<bool>
+    nodes(unsigned int n_nodes) const;
+
+    /**
+     * The consistent nodal forces, integral of N_a t, in N (N/m in 2-d: not
+     * yet multiplied by a thickness), dim x n_nodes.
+     */
+    Eigen::MatrixXd
+    forces(const Traction &traction, unsigned int n_nodes) const;
+
+  private:
+    const std::vector<Face> faces_;
+    const Element<dim>     &element_;
+    double                  area_ = 0.;
+    dealii::Point<dim>      centroid_;
+    dealii::Tensor<1, dim>  mean_normal_;
+  };
+} // namespace springfit
+
+#endif

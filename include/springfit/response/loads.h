@@ -1,0 +1,56 @@
+#ifndef springfit_response_loads_h
+#define springfit_response_loads_h
+
+#include <springfit/mesh/mesh.h>
+#include <springfit/reference/element.h>
+#include <springfit/response/load_case.h>
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <string>
+
+namespace springfit
+{
+  /** The section "Loads": what is held, what is pulled, and how. */
+  template <int dim>
+  class Loads : public dealii::ParameterAcceptor
+  {
+  public:
+    Loads();
+
+    /**
+     * The supports and the consistent nodal forces of a traction of 1 Pa on
+     * the loaded part of the boundary (in 2-d times @p thickness in m).
+     *
+     * The axis of the pull is the mean outward normal of the loaded part. The
+     * traction is uniform along it (tension), against it (compression), or
+     * along the coordinate direction most perpendicular to it (shear); for
+     * torsion it is the axis times the distance vector from the loaded part's
+     * centroid, divided by the extent of that part.
+     *
+     * @throws EntryError when a boundary or region is empty or unknown, or
+     * when every loaded node is fixed; InputError when the supports leave a
+     * rigid motion free, with the motion named.
+     */
+    Loading
+    resolve(const Mesh<dim>    &mesh,
+            const Element<dim> &element,
+            double              thickness) const;
+
+  private:
+    void
+    check() const;
+
+    std::vector<bool>
+    fixed_nodes(const Mesh<dim> &mesh) const;
+
+    std::string cases_word_;
+    std::string fixed_boundaries_  = "0";
+    std::string loaded_boundaries_ = "1";
+    std::string fixed_region_;
+    std::string loaded_region_;
+    double      deformation_ = 0.1;
+  };
+} // namespace springfit
+
+#endif

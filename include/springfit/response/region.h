@@ -1,0 +1,35 @@
+#ifndef springfit_response_region_h
+#define springfit_response_region_h
+
+#include <deal.II/base/function_parser.h>
+#include <deal.II/base/point.h>
+
+#include <memory>
+#include <string>
+
+namespace springfit
+{
+  /**
+   * The points where an expression in x, y (and z), in m, holds, such as
+   * "x < 1e-6 and y > 0.01".
+   */
+  template <int dim>
+  class Region
+  {
+  public:
+    /**
+     * @p entry names the parameter in errors.
+     *
+     * @throws EntryError when the expression cannot be understood.
+     */
+    Region(const std::string &expression, const std::string &entry);
+
+    bool
+    contains(const dealii::Point<dim> &point) const;
+
+  private:
+    std::unique_ptr<dealii::FunctionParser<dim>> function_;
+  };
+} // namespace springfit
+
+#endif

@@ -1,0 +1,248 @@
+#include <springfit/core/parameters.h>
+#include <springfit/core/words.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace springfit
+{
+  namespace
+  {
+    std::string
+    trimmed(const std::string &text)
+    {
+      const auto first = text.find_first_not_of(" \t\r");
+      if (first == std::string::npos)
+        return "";
+      return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    }
+
+    std::vector<std::string>
+    split(const std::string &text, const char separator)
+    {
+      std::vector<std::string> pieces;
+      std::istringstream       stream(text);
+      for (std::string piece; std::getline(stream, piece, separator);)
+        pieces.push_back(trimmed(piece));
+      return pieces;
+    }
+
+    /** The entries that @p prm declares, with their sections. */
+    std::vector<std::string>
+    declared_entries(const dealii::ParameterHandler &prm)
+    {
+      std::stringstream text;
+      prm.print_parameters(text, dealii::ParameterHandler::ShortText);
+      std::vector<std::string> entries;
+      for (const auto &line : scan_parameters(text))
+        entries.push_back(line.entry);
+      return entries;
+    }
+
+    /** The last name of each path, or with @p of_sections all but the last. */
+    std::vector<std::string>
+    entry_names(const std::vector<std::string> &paths)
+    {
+      std::vector<std::string> names;
+      for (const auto &path : paths)
+        names.push_back(path.substr(path.rfind('/') + 1));
+      return names;
+    }
+
+    std::vector<std::string>
+    section_names(const std::vector<std::string> &paths)
+    {
+      std::vector<std::string> names;
+      for (const auto &path : paths)
+        {
+          auto pieces = split(path, '/');
+          pieces.pop_back();
+          names.insert(names.end(), pieces.begin(), pieces.end());
+        }
+      return names;
+    }
+
+    /** What deal.II has to say about an error, on one line. */
+    std::string
+    additional_information(const dealii::ExceptionBase &exception)
+    {
+      std::ostringstream text;
+      exception.print_info(text);
+      const std::string one_line =
+        std::regex_replace(text.str(), std::regex("\\s+"), " ");
+      return trimmed(one_line);
+    }
+
+    /** deal.II's complaint about a parameter file with a way to mend it. */
+    InputError
+    explained(const dealii::ExceptionBase    &exception,
+              const std::vector<std::string> &declared)
+    {
+      const std::string what = additional_information(exception);
+      std::smatch       match;
+      if (std::regex_search(what, match, std::regex("No entry with name <(.*?)>")))
+        return InputError(what + did_you_mean(match[1],
+                                              entry_names(declared)),
+                          "'springfit --defaults 2' or '3' lists every entry.");
+      if (std::regex_search(what,
+                            match,
+                            std::regex("no such subsection to be entered: (.*)")))
+        return InputError(what + '.' +
+                            did_you_mean(match[1], section_names(declared)),
+                          "'springfit --defaults 2' or '3' lists every section.");
+      return InputError(what,
+                        "Correct this line of the parameter file; 'springfit "
+                        "--defaults 2' or '3' shows the form of every entry.");
+    }
+
+    struct Override
+    {
+      std::string entry, value;
+    };
+
+    Override
+    parse_override(const std::string &text)
+    {
+      const auto equals = text.find('=');
+      if (equals == std::string::npos)
+        throw InputError("--set \"" + text + "\" has no equals sign.",
+                         "Write --set \"Section/Entry=value\", for example "
+                         "--set \"Geometry/Cell size=0.005\".");
+      return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+    }
+
+    void
+    apply_override(dealii::ParameterHandler       &prm,
+                   const std::string              &text,
+                   const std::vector<std::string> &declared)
+    {
+      const auto [entry, value] = parse_override(text);
+      if (std::find(declared.begin(), declared.end(), entry) == declared.end())
+        throw InputError("--set \"" + text + "\": there is no entry '" + entry +
+                           "'." + did_you_mean(entry, declared),
+                         "Write --set \"Section/Entry=value\"; 'springfit "
+                         "--defaults 2' or '3' lists every entry.");
+
+      auto              sections = split(entry, '/');
+      const std::string name     = sections.back();
+      sections.pop_back();
+      for (const auto &section : sections)
+        prm.enter_subsection(section);
+      try
+        {
+          prm.set(name, value);
+        }
+      catch (const dealii::ExceptionBase &exception)
+        {
+          throw InputError("--set \"" + text + "\": " +
+                             additional_information(exception),
+                           "Give a value of this form.");
+        }
+      for (std::size_t s = 0; s < sections.size(); ++s)
+        prm.leave_subsection();
+    }
+  } // namespace
+
+  std::vector<ParameterLine>
+  scan_parameters(std::istream &file)
+  {
+    std::vector<ParameterLine> lines;
+    std::vector<std::string>   sections;
+    unsigned int               number = 0;
+    for (std::string line; std::getline(file, line);)
+      {
+        ++number;
+        line = trimmed(line.substr(0, line.find('#')));
+        std::istringstream words(line);
+        std::string        first;
+        words >> first;
+        if (first == "subsection")
+          sections.push_back(trimmed(line.substr(first.size())));
+        else if (first == "end" && !sections.empty())
+          sections.pop_back();
+        else if (first == "set")
+          {
+            const auto equals = line.find('=');
+            const auto name   = trimmed(line.substr(3, equals - 3));
+            lines.push_back(
+              {join(sections, "/") + (sections.empty() ? "" : "/") + name,
+               equals == std::string::npos ? "" :
+                                             trimmed(line.substr(equals + 1)),
+               number});
+          }
+      }
+    return lines;
+  }
+
+  void
+  check_parameter_file(const std::filesystem::path &file)
+  {
+    const std::string mend =
+      "Name an existing parameter file, for example parameters/cube.prm.";
+    if (!std::filesystem::exists(file))
+      throw InputError("The parameter file '" + file.string() +
+                         "' does not exist.",
+                       mend);
+    if (std::filesystem::is_directory(file))
+      throw InputError("'" + file.string() +
+                         "' is a directory, not a parameter file.",
+                       mend);
+    if (!std::ifstream(file))
+      throw InputError("The parameter file '" + file.string() +
+                         "' cannot be read.",
+                       mend);
+  }
+
+  void
+  read_parameters(dealii::ParameterHandler &prm, const ParameterSource &source)
+  {
+    const auto declared = declared_entries(prm);
+    try
+      {
+        std::ifstream file(source.file);
+        prm.parse_input(file, source.file.string());
+      }
+    catch (const dealii::ExceptionBase &exception)
+      {
+        throw explained(exception, declared);
+      }
+    for (const auto &text : source.overrides)
+      apply_override(prm, text, declared);
+  }
+
+  std::string
+  read_top_level_entry(const ParameterSource &source, const std::string &entry)
+  {
+    std::string   value;
+    std::ifstream file(source.file);
+    for (const auto &line : scan_parameters(file))
+      if (line.entry == entry)
+        value = line.value;
+    for (const auto &text : source.overrides)
+      if (const auto given = parse_override(text); given.entry == entry)
+        value = given.value;
+    return value;
+  }
+
+  std::string
+  locate(const EntryError &error, const ParameterSource &source)
+  {
+    for (const auto &text : source.overrides)
+      if (parse_override(text).entry == error.entry)
+        return "--set \"" + text + "\": " + error.what();
+
+    std::optional<unsigned int> number;
+    std::ifstream               file(source.file);
+    for (const auto &line : scan_parameters(file))
+      if (line.entry == error.entry)
+        number = line.line;
+    return source.file.string() +
+           (number ? ", line " + std::to_string(*number) : "") + ": " +
+           error.what();
+  }
+} // namespace springfit

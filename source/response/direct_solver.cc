@@ -1,0 +1,61 @@
+#include <springfit/core/error.h>
+#include <springfit/response/linear_solver.h>
+
+#include <deal.II/lac/trilinos_solver.h>
+
+namespace springfit
+{
+  namespace
+  {
+    template <int dim>
+    class DirectSolver : public LinearSolver<dim>
+    {
+    public:
+      using Vector = typename LinearSolver<dim>::Vector;
+      using Matrix = typename LinearSolver<dim>::Matrix;
+
+      explicit DirectSolver(const Matrix &matrix)
+        : solver_(control_,
+                  dealii::TrilinosWrappers::SolverDirect::AdditionalData(
+                    false, "Amesos_Klu"))
+      {
+        try
+          {
+            solver_.initialize(matrix);
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            throw RunError(
+              "The stiffness matrix is singular: it could not be factored.",
+              "A part of the object can move without resistance; hold it, or "
+              "ask for another fit.");
+          }
+      }
+
+      Vector
+      solve(const Vector &forces) override
+      {
+        Vector displacement(forces);
+        Vector right_hand_side(forces);
+        solver_.solve(displacement, right_hand_side);
+        return displacement;
+      }
+
+    private:
+      dealii::SolverControl                  control_;
+      dealii::TrilinosWrappers::SolverDirect solver_;
+    };
+  } // namespace
+
+  template <int dim>
+  std::unique_ptr<LinearSolver<dim>>
+  make_direct_solver(const typename Discretization<dim>::Matrix &matrix)
+  {
+    return std::make_unique<DirectSolver<dim>>(matrix);
+  }
+
+  template std::unique_ptr<LinearSolver<2>>
+  make_direct_solver<2>(const Discretization<2>::Matrix &);
+  template std::unique_ptr<LinearSolver<3>>
+  make_direct_solver<3>(const Discretization<3>::Matrix &);
+} // namespace springfit

@@ -1,0 +1,135 @@
+#include <springfit/reference/element.h>
+#include <springfit/response/discretization.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <deal.II/dofs/dof_renumbering.h>
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_system.h>
+
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+
+namespace springfit
+{
+  template <int dim>
+  Discretization<dim>::Discretization(const Mesh<dim>         &mesh,
+                                      const std::vector<bool> &fixed,
+                                      const MPI_Comm           communicator)
+    : mesh_(mesh)
+    , communicator_(communicator)
+    , dof_handler_(mesh.triangulation)
+  {
+    const auto element = make_element<dim>(mesh.cell_kind);
+    dof_handler_.distribute_dofs(dealii::FESystem<dim>(*element.scalar, dim));
+    dealii::DoFRenumbering::subdomain_wise(dof_handler_);
+
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const auto owned_by_rank =
+      dealii::DoFTools::locally_owned_dofs_per_subdomain(dof_handler_);
+    locally_owned_ = rank < owned_by_rank.size() ?
+                       owned_by_rank[rank] :
+                       dealii::IndexSet(dof_handler_.n_dofs());
+
+    dofs_.resize(dim * n_nodes());
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        for (int d = 0; d < dim; ++d)
+          dofs_[dim * cell->vertex_index(v) + d] = cell->vertex_dof_index(v, d);
+
+    for (unsigned int v = 0; v < n_nodes(); ++v)
+      if (fixed[v])
+        for (int d = 0; d < dim; ++d)
+          constraints_.add_line(dof(v, d));
+    constraints_.close();
+
+    // The fixed nodes keep their rows, so that a rank may add to any of them.
+    pattern_.reinit(locally_owned_,
+                    locally_owned_,
+                    communicator,
+                    dof_handler_.max_couplings_between_dofs());
+    dealii::DoFTools::make_sparsity_pattern(
+      dof_handler_, pattern_, constraints_, true, rank);
+    pattern_.compress();
+  }
+
+  template <int dim>
+  const Mesh<dim> &
+  Discretization<dim>::mesh() const
+  {
+    return mesh_;
+  }
+
+  template <int dim>
+  dealii::types::global_dof_index
+  Discretization<dim>::dof(const unsigned int v, const unsigned int d) const
+  {
+    return dofs_[dim * v + d];
+  }
+
+  template <int dim>
+  unsigned int
+  Discretization<dim>::n_nodes() const
+  {
+    return mesh_.triangulation.n_vertices();
+  }
+
+  template <int dim>
+  const dealii::AffineConstraints<double> &
+  Discretization<dim>::constraints() const
+  {
+    return constraints_;
+  }
+
+  template <int dim>
+  const dealii::IndexSet &
+  Discretization<dim>::locally_owned() const
+  {
+    return locally_owned_;
+  }
+
+  template <int dim>
+  MPI_Comm
+  Discretization<dim>::communicator() const
+  {
+    return communicator_;
+  }
+
+  template <int dim>
+  void
+  Discretization<dim>::initialize(Matrix &matrix) const
+  {
+    matrix.reinit(pattern_);
+  }
+
+  template <int dim>
+  typename Discretization<dim>::Vector
+  Discretization<dim>::to_vector(const Eigen::MatrixXd &nodal) const
+  {
+    Vector vector(locally_owned_, communicator_);
+    for (unsigned int v = 0; v < n_nodes(); ++v)
+      for (int d = 0; d < dim; ++d)
+        if (locally_owned_.is_element(dof(v, d)) &&
+            !constraints_.is_constrained(dof(v, d)))
+          vector(dof(v, d)) = nodal(d, v);
+    vector.compress(dealii::VectorOperation::insert);
+    return vector;
+  }
+
+  template <int dim>
+  Eigen::MatrixXd
+  Discretization<dim>::to_nodal(const Vector &vector) const
+  {
+    const dealii::Vector<double> everywhere(vector);
+    Eigen::MatrixXd              nodal(dim, n_nodes());
+    for (unsigned int v = 0; v < n_nodes(); ++v)
+      for (int d = 0; d < dim; ++d)
+        nodal(d, v) = everywhere(dof(v, d));
+    return nodal;
+  }
+
+  template class Discretization<2>;
+  template class Discretization<3>;
+} // namespace springfit
