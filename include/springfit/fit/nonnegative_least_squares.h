@@ -1,0 +1,21 @@
+#ifndef springfit_fit_nonnegative_least_squares_h
+#define springfit_fit_nonnegative_least_squares_h
+
+#include <Eigen/Core>
+
+namespace springfit
+{
+  /**
+   * The minimiser of x^T G x / 2 - g^T x over x >= 0 by the active set method
+   * of Lawson and Hanson 1974, chapter 23, on the normal equations.
+   *
+   * @param G symmetric positive definite, n x n
+   * @return x >= 0 with w = g - G x <= 0 and x_s w_s = 0 up to rounding
+   *
+   * @throws RunError when the active sets do not settle.
+   */
+  Eigen::VectorXd
+  nonnegative_least_squares(const Eigen::MatrixXd &G, const Eigen::VectorXd &g);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,191 @@
+#include <springfit/core/error.h>
+#include <springfit/fit/barrier_engine.h>
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <limits>
+
+namespace springfit
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /** A1 and A2 at x = (k, t), factorised. */
+    struct Cones
+    {
+      Cones(const SpectralProblem &problem, const Eigen::VectorXd &x)
+        : k(x.head(problem.B.cols()))
+        , t(x[problem.B.cols()])
+        , E(residual(problem, k))
+        , I(Eigen::MatrixXd::Identity(E.rows(), E.cols()))
+        , lower(t * I - E)
+        , upper(t * I + E)
+        , inside(lower.info() == Eigen::Success &&
+                 upper.info() == Eigen::Success &&
+                 !(problem.nonnegative && k.minCoeff() <= 0.))
+      {}
+
+      Eigen::VectorXd             k;
+      double                      t;
+      Eigen::MatrixXd             E;
+      Eigen::MatrixXd             I;
+      Eigen::LLT<Eigen::MatrixXd> lower;
+      Eigen::LLT<Eigen::MatrixXd> upper;
+      bool                        inside;
+    };
+
+    double
+    log_det(const Eigen::LLT<Eigen::MatrixXd> &llt)
+    {
+      return 2. * llt.matrixLLT().diagonal().array().log().sum();
+    }
+
+    /** Infinite outside. */
+    double
+    barrier(const SpectralProblem &problem,
+            const Cones           &cones,
+            const double           mu)
+    {
+      if (!cones.inside)
+        return infinity;
+      double value =
+        cones.t / mu - log_det(cones.lower) - log_det(cones.upper);
+      if (problem.nonnegative)
+        value -= cones.k.array().log().sum();
+      return value;
+    }
+
+    struct Derivatives
+    {
+      Eigen::VectorXd gradient;
+      Eigen::MatrixXd hessian; // lower triangle
+    };
+
+    /** Those of -log det A, dA/dk_s = sign b_s b_s^T, dA/dt = I. */
+    void
+    add_cone(const double                       sign,
+             const Eigen::MatrixXd             &B,
+             const Eigen::LLT<Eigen::MatrixXd> &A,
+             Derivatives                       &derivatives)
+    {
+      const Eigen::Index    n_springs = B.cols();
+      const Eigen::MatrixXd X =
+        A.solve(Eigen::MatrixXd::Identity(B.rows(), B.rows()));
+      const Eigen::MatrixXd X_B = X * B;
+      const Eigen::MatrixXd B_X_B = B.transpose() * X_B;
+
+      derivatives.gradient.head(n_springs) -= sign * B_X_B.diagonal();
+      derivatives.gradient[n_springs] -= X.trace();
+      derivatives.hessian.topLeftCorner(n_springs, n_springs) +=
+        B_X_B.cwiseAbs2();
+      derivatives.hessian.row(n_springs).head(n_springs) +=
+        sign * X_B.colwise().squaredNorm();
+      derivatives.hessian(n_springs, n_springs) += X.squaredNorm();
+    }
+
+    Derivatives
+    differentiate(const SpectralProblem &problem,
+                  const Cones           &cones,
+                  const double           mu)
+    {
+      const Eigen::Index n = problem.B.cols() + 1;
+      Derivatives        derivatives{Eigen::VectorXd::Unit(n, n - 1) / mu,
+                              Eigen::MatrixXd::Zero(n, n)};
+      add_cone(1., problem.B, cones.lower, derivatives);
+      add_cone(-1., problem.B, cones.upper, derivatives);
+      if (problem.nonnegative)
+        {
+          const Eigen::VectorXd inverse = cones.k.cwiseInverse();
+          derivatives.gradient.head(n - 1) -= inverse;
+          derivatives.hessian.diagonal().head(n - 1) += inverse.cwiseAbs2();
+        }
+      return derivatives;
+    }
+
+    /** H^-1 g after scaling H to a unit diagonal: its entries range widely. */
+    Eigen::VectorXd
+    solve_scaled(const Eigen::MatrixXd &H, const Eigen::VectorXd &g)
+    {
+      const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+      const Eigen::MatrixXd scaled =
+        scale.asDiagonal() * H * scale.asDiagonal();
+      return scale.cwiseProduct(
+        scaled.selfadjointView<Eigen::Lower>().ldlt().solve(
+          scale.cwiseProduct(g)));
+    }
+
+    /**
+     * Newton's method to the minimiser for one mu. Ends when Newton's
+     * decrement is below @p decrement_end, or when rounding lets it fall no
+     * further.
+     */
+    Eigen::VectorXd
+    centre(const SpectralProblem &problem,
+           Eigen::VectorXd        x,
+           const double           mu,
+           const double           decrement_end)
+    {
+      constexpr unsigned int n_steps_max = 60;
+
+      double previous = infinity;
+      for (unsigned int n_steps = 0; n_steps < n_steps_max; ++n_steps)
+        {
+          const Cones       cones(problem, x);
+          const Derivatives derivatives = differentiate(problem, cones, mu);
+          const Eigen::VectorXd step =
+            -solve_scaled(derivatives.hessian, derivatives.gradient);
+          const double decrement_squared = -derivatives.gradient.dot(step);
+          // Where the quadratic convergence of the last steps stalls, rounding
+          // has the say.
+          const bool stalls = previous < 1e-4 && decrement_squared > previous;
+          if (!(decrement_squared > decrement_end * decrement_end) || stalls)
+            return x;
+          previous = decrement_squared;
+
+          double length = 1.;
+          // Near the centre full steps converge, and differences of the
+          // barrier are too small to be computed.
+          if (decrement_squared < 0.01)
+            while (!Cones(problem, x + length * step).inside && length > 1e-8)
+              length *= 0.5;
+          else
+            {
+              const double start = barrier(problem, cones, mu);
+              while (barrier(problem, Cones(problem, x + length * step), mu) >
+                       start - 0.1 * length * decrement_squared &&
+                     length > 1e-8)
+                length *= 0.5;
+            }
+          if (length <= 1e-8)
+            return x;
+          x += length * step;
+        }
+      return x;
+    }
+  } // namespace
+
+
+  SpectralSolution
+  solve_by_barrier(const SpectralProblem &problem, const double mu)
+  {
+    constexpr double mu_start    = 1e-2;
+    constexpr double mu_factor   = 0.05;
+    constexpr double roughly     = 0.3;
+    constexpr double to_rounding = 1e-9;
+
+    Eigen::VectorXd x = interior_point(problem);
+    if (!Cones(problem, x).inside)
+      throw RunError("A spectral fit has no interior point to start from.",
+                     "Check the cell's shape and material.");
+    for (double now = mu_start; now > mu; now *= mu_factor)
+      x = centre(problem, x, now, roughly);
+    x = centre(problem, x, mu, to_rounding);
+
+    // On the central path the multipliers are mu A1^-1 and mu A2^-1.
+    const Cones cones(problem, x);
+    return {cones.k,
+            mu * (cones.lower.solve(cones.I) - cones.upper.solve(cones.I))};
+  }
+} // namespace springfit

@@ -1,0 +1,267 @@
+#include <springfit/core/error.h>
+#include <springfit/fit/ipopt_engine.h>
+
+#include <IpIpoptApplication.hpp>
+#include <IpJournalist.hpp>
+#include <IpTNLP.hpp>
+
+#include <sstream>
+
+namespace springfit
+{
+  namespace
+  {
+    using Ipopt::Index;
+    using Ipopt::Number;
+
+    // What Ipopt takes for infinity.
+    constexpr Number unbounded = 1e20;
+
+    using ConstVectorView = Eigen::Map<const Eigen::VectorXd>;
+    using VectorView      = Eigen::Map<Eigen::VectorXd>;
+
+    /**
+     * Hands the pivots and their derivatives over to Ipopt: minimise t over
+     * x = (k, t) with all pivots >= 0. An evaluation outside the cone returns
+     * false, which makes Ipopt shorten the step.
+     */
+    class PivotProgram : public Ipopt::TNLP
+    {
+    public:
+      explicit PivotProgram(const SpectralProblem &problem)
+        : problem_(problem)
+      {}
+
+      /** (k, t) and the multipliers of the pivots; empty before the end. */
+      Eigen::VectorXd x;
+      Eigen::VectorXd y;
+
+      bool
+      get_nlp_info(Index          &n,
+                   Index          &m,
+                   Index          &n_jacobian,
+                   Index          &n_hessian,
+                   IndexStyleEnum &index_style) override
+      {
+        n           = problem_.B.cols() + 1;
+        m           = 2 * problem_.B.rows();
+        n_jacobian  = n * m;
+        n_hessian   = n * (n + 1) / 2;
+        index_style = C_STYLE;
+        return true;
+      }
+
+      bool
+      get_bounds_info(Index   n,
+                      Number *x_lower,
+                      Number *x_upper,
+                      Index   m,
+                      Number *g_lower,
+                      Number *g_upper) override
+      {
+        const Number k_lower = problem_.nonnegative ? 0. : -unbounded;
+        VectorView(x_lower, n).setConstant(k_lower);
+        x_lower[n - 1] = -unbounded;
+        VectorView(x_upper, n).setConstant(unbounded);
+        VectorView(g_lower, m).setZero();
+        VectorView(g_upper, m).setConstant(unbounded);
+        return true;
+      }
+
+      bool
+      get_starting_point(Index   n,
+                         bool    init_x,
+                         Number *x_start,
+                         bool /*init_z*/,
+                         Number * /*z_lower*/,
+                         Number * /*z_upper*/,
+                         Index /*m*/,
+                         bool /*init_lambda*/,
+                         Number * /*lambda*/) override
+      {
+        if (init_x)
+          VectorView(x_start, n) = interior_point(problem_);
+        return true;
+      }
+
+      bool
+      eval_f(Index n, const Number *x_now, bool, Number &objective) override
+      {
+        objective = x_now[n - 1];
+        return true;
+      }
+
+      bool
+      eval_grad_f(Index n, const Number *, bool, Number *gradient) override
+      {
+        VectorView(gradient, n) = Eigen::VectorXd::Unit(n, n - 1);
+        return true;
+      }
+
+      bool
+      eval_g(Index n, const Number *x_now, bool, Index m, Number *g) override
+      {
+        const auto d = pivots(problem_, ConstVectorView(x_now, n));
+        if (d)
+          VectorView(g, m) = *d;
+        return d.has_value();
+      }
+
+      bool
+      eval_jac_g(Index         n,
+                 const Number *x_now,
+                 bool,
+                 Index m,
+                 Index,
+                 Index  *rows,
+                 Index  *columns,
+                 Number *values) override
+      {
+        if (values == nullptr)
+          {
+            for (Index j = 0, entry = 0; j < n; ++j)
+              for (Index i = 0; i < m; ++i, ++entry)
+                {
+                  rows[entry]    = i;
+                  columns[entry] = j;
+                }
+            return true;
+          }
+        const auto jacobian =
+          pivot_jacobian(problem_, ConstVectorView(x_now, n));
+        if (jacobian)
+          Eigen::Map<Eigen::MatrixXd>(values, m, n) = *jacobian;
+        return jacobian.has_value();
+      }
+
+      bool
+      eval_h(Index         n,
+             const Number *x_now,
+             bool,
+             Number, // t is linear
+             Index         m,
+             const Number *lambda,
+             bool,
+             Index,
+             Index  *rows,
+             Index  *columns,
+             Number *values) override
+      {
+        if (values == nullptr)
+          {
+            for (Index j = 0, entry = 0; j < n; ++j)
+              for (Index i = j; i < n; ++i, ++entry)
+                {
+                  rows[entry]    = i;
+                  columns[entry] = j;
+                }
+            return true;
+          }
+        const auto hessian = pivot_hessian(problem_,
+                                           ConstVectorView(x_now, n),
+                                           ConstVectorView(lambda, m));
+        if (!hessian)
+          return false;
+        for (Index j = 0; j < n; ++j)
+          for (Index i = j; i < n; ++i)
+            *values++ = (*hessian)(i, j);
+        return true;
+      }
+
+      void
+      finalize_solution(Ipopt::SolverReturn,
+                        Index         n,
+                        const Number *x_end,
+                        const Number *,
+                        const Number *,
+                        Index         m,
+                        const Number *,
+                        const Number *lambda,
+                        Number,
+                        const Ipopt::IpoptData *,
+                        Ipopt::IpoptCalculatedQuantities *) override
+      {
+        x = ConstVectorView(x_end, n);
+        // Ipopt's Lagrangian is t + lambda^T d: those of d >= 0 are <= 0.
+        y = -ConstVectorView(lambda, m);
+      }
+
+    private:
+      const SpectralProblem &problem_;
+    };
+
+
+    Ipopt::SmartPtr<Ipopt::IpoptApplication>
+    make_application()
+    {
+      // No console, and no options file from the working directory.
+      Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
+        new Ipopt::IpoptApplication(false);
+      auto &options = *application->Options();
+      options.SetStringValue("sb", "yes");
+      options.SetStringValue("linear_solver", "mumps");
+      options.SetStringValue("nlp_scaling_method", "none");
+      // The pivots are defined inside the cone only.
+      options.SetNumericValue("bound_relax_factor", 0.);
+      return application;
+    }
+
+    void
+    set_path(Ipopt::IpoptApplication &application, const double mu)
+    {
+      auto &options = *application.Options();
+      options.SetStringValue("mu_strategy", "monotone");
+      options.SetNumericValue("mu_init", 1e-2);
+      options.SetNumericValue("mu_target", mu);
+      options.SetNumericValue("tol", 0.1 * mu);
+      options.SetNumericValue("compl_inf_tol", 0.1 * mu);
+      // The gap is judged by the certificate: no early "acceptable" end.
+      options.SetIntegerValue("acceptable_iter", 0);
+      options.SetIntegerValue("max_iter", 200);
+    }
+  } // namespace
+
+
+  SpectralSolution
+  solve_by_ipopt(const SpectralProblem &problem, const double mu)
+  {
+    const auto application = make_application();
+    set_path(*application, mu);
+    application->Initialize("");
+
+    Ipopt::SmartPtr<PivotProgram> program = new PivotProgram(problem);
+    // The status says little: a search direction may be "too small" at a gap
+    // of 1e-9. What counts is the certificate of the point.
+    application->OptimizeTNLP(program);
+
+    const auto multiplier =
+      program->x.size() == 0 ?
+        std::optional<Eigen::MatrixXd>() :
+        pivot_multiplier(problem, program->x, program->y);
+    if (!multiplier)
+      throw RunError("Ipopt found no point of a spectral fit.",
+                     "Set 'Fit/Engine' to 'barrier'.");
+    return {program->x.head(problem.B.cols()), *multiplier};
+  }
+
+
+  std::string
+  derivative_report(const SpectralProblem &problem)
+  {
+    const auto application = make_application();
+    auto      &options     = *application->Options();
+    options.SetStringValue("derivative_test", "second-order");
+    options.SetNumericValue("point_perturbation_radius", 0.);
+    options.SetIntegerValue("max_iter", 0);
+
+    std::ostringstream                      report;
+    Ipopt::SmartPtr<Ipopt::StreamJournal> journal =
+      new Ipopt::StreamJournal("report", Ipopt::J_ITERSUMMARY);
+    journal->SetOutputStream(&report);
+    application->Jnlst()->AddJournal(Ipopt::GetRawPtr(journal));
+    application->Initialize("");
+    application->OptimizeTNLP(new PivotProgram(problem));
+    application->Jnlst()->DeleteAllJournals();
+    return report.str();
+  }
+} // namespace springfit

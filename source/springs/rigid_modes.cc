@@ -1,0 +1,60 @@
+#include <springfit/springs/rigid_modes.h>
+
+#include <Eigen/QR>
+
+namespace springfit
+{
+  namespace
+  {
+    /** Translations, then infinitesimal rotations about the centre. */
+    Eigen::MatrixXd
+    raw_modes(const Eigen::MatrixXd &points)
+    {
+      const Eigen::Index dim         = points.rows();
+      const Eigen::Index n_nodes     = points.cols();
+      const Eigen::Index n_rotations = dim * (dim - 1) / 2;
+
+      // Centred and of size one: columns of like magnitude.
+      Eigen::MatrixXd x = points.colwise() - points.rowwise().mean();
+      x /= x.cwiseAbs().maxCoeff();
+
+      Eigen::MatrixXd modes =
+        Eigen::MatrixXd::Zero(dim * n_nodes, dim + n_rotations);
+      for (Eigen::Index v = 0; v < n_nodes; ++v)
+        {
+          modes.block(dim * v, 0, dim, dim).setIdentity();
+          Eigen::Index column = dim;
+          for (Eigen::Index a = 0; a < dim; ++a)
+            for (Eigen::Index b = a + 1; b < dim; ++b, ++column)
+              {
+                modes(dim * v + a, column) = -x(b, v);
+                modes(dim * v + b, column) = x(a, v);
+              }
+        }
+      return modes;
+    }
+
+    /** An orthonormal basis of all displacements, the rigid ones first. */
+    Eigen::MatrixXd
+    full_basis(const Eigen::MatrixXd &modes)
+    {
+      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(modes);
+      return qr.householderQ() *
+             Eigen::MatrixXd::Identity(modes.rows(), modes.rows());
+    }
+  } // namespace
+
+  Eigen::MatrixXd
+  rigid_body_modes(const Eigen::MatrixXd &points)
+  {
+    const Eigen::MatrixXd modes = raw_modes(points);
+    return full_basis(modes).leftCols(modes.cols());
+  }
+
+  Eigen::MatrixXd
+  deformation_basis(const Eigen::MatrixXd &points)
+  {
+    const Eigen::MatrixXd modes = raw_modes(points);
+    return full_basis(modes).rightCols(modes.rows() - modes.cols());
+  }
+} // namespace springfit
