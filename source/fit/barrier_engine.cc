@@ -104,16 +104,17 @@ namespace springfit
       return derivatives;
     }
 
-    /** H^-1 g after scaling H to a unit diagonal: its entries range widely. */
+    /** After scaling H to a unit diagonal: its entries range widely. */
     Eigen::VectorXd
-    solve_scaled(const Eigen::MatrixXd &H, const Eigen::VectorXd &g)
+    newton_step(const Derivatives &derivatives)
     {
-      const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+      const Eigen::VectorXd scale =
+        derivatives.hessian.diagonal().cwiseSqrt().cwiseInverse();
       const Eigen::MatrixXd scaled =
-        scale.asDiagonal() * H * scale.asDiagonal();
-      return scale.cwiseProduct(
+        scale.asDiagonal() * derivatives.hessian * scale.asDiagonal();
+      return -scale.cwiseProduct(
         scaled.selfadjointView<Eigen::Lower>().ldlt().solve(
-          scale.cwiseProduct(g)));
+          scale.cwiseProduct(derivatives.gradient)));
     }
 
     /**
@@ -134,8 +135,7 @@ namespace springfit
         {
           const Cones       cones(problem, x);
           const Derivatives derivatives = differentiate(problem, cones, mu);
-          const Eigen::VectorXd step =
-            -solve_scaled(derivatives.hessian, derivatives.gradient);
+          const Eigen::VectorXd step = newton_step(derivatives);
           const double decrement_squared = -derivatives.gradient.dot(step);
           // Where the quadratic convergence of the last steps stalls, rounding
           // has the say.
@@ -164,6 +164,28 @@ namespace springfit
         }
       return x;
     }
+    /**
+     * Y1 - Y2 at the centre for mu. There Y = mu A^-1, but rounding in A^-1
+     * spoils the constraints b_s^T (Y1 - Y2) b_s = 0. To first order in
+     * Newton's step, Y = mu (A^-1 - A^-1 dA A^-1), they are Newton's
+     * equations, which hold to the accuracy of their solution.
+     */
+    Eigen::MatrixXd
+    multiplier(const SpectralProblem &problem,
+               const Eigen::VectorXd &x,
+               const double           mu)
+    {
+      const Eigen::Index    n_springs = problem.B.cols();
+      const Cones           cones(problem, x);
+      const Eigen::VectorXd step = newton_step(differentiate(problem, cones, mu));
+
+      const Eigen::MatrixXd dK = problem.B * step.head(n_springs).asDiagonal() *
+                                 problem.B.transpose();
+      const Eigen::MatrixXd dt = step[n_springs] * cones.I;
+      const Eigen::MatrixXd X  = cones.lower.solve(cones.I);
+      const Eigen::MatrixXd Z  = cones.upper.solve(cones.I);
+      return mu * (X - X * (dt + dK) * X - Z + Z * (dt - dK) * Z);
+    }
   } // namespace
 
 
@@ -183,9 +205,6 @@ namespace springfit
       x = centre(problem, x, now, roughly);
     x = centre(problem, x, mu, to_rounding);
 
-    // On the central path the multipliers are mu A1^-1 and mu A2^-1.
-    const Cones cones(problem, x);
-    return {cones.k,
-            mu * (cones.lower.solve(cones.I) - cones.upper.solve(cones.I))};
+    return {x.head(problem.B.cols()), multiplier(problem, x, mu)};
   }
 } // namespace springfit

@@ -1,0 +1,80 @@
+// Time of one fit, averaged over 100 random cells of each kind: the
+// counterpart of Table 2 of Natsupakpong and Cavusoglu 2010 (0.08 to 3 s per
+// element for Frobenius' norm, 1.7 to 29 s for the 2-norm).
+
+#include "../unit/cells.h"
+
+#include <springfit/fit/barrier_engine.h>
+#include <springfit/fit/block.h>
+#include <springfit/fit/fit.h>
+#include <springfit/fit/frobenius.h>
+
+#include <benchmark/benchmark.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace springfit;
+
+namespace
+{
+  constexpr unsigned int n_cells = 100;
+
+  using Fit = std::function<Eigen::VectorXd(const FitProblem &)>;
+
+  /** Everything that `Method::spectral` does, its certificate included. */
+  Fit
+  spectral_fit(const Engine engine)
+  {
+    FitOptions options;
+    options.engine = engine;
+    return [options](const FitProblem &problem) {
+      return fit(problem, Method::spectral, options).k;
+    };
+  }
+
+  const std::vector<std::pair<std::string, Fit>> fits = {
+    {"block", fit_block},
+    {"frobenius",
+     [](const FitProblem &problem) {
+       return fit_frobenius(problem.gradients, problem.stiffness);
+     }},
+    {"frobenius nonnegative",
+     [](const FitProblem &problem) {
+       return fit_frobenius_nonnegative(problem.gradients, problem.stiffness);
+     }},
+    {"spectral ipopt", spectral_fit(Engine::ipopt)},
+    {"spectral barrier", spectral_fit(Engine::barrier)}};
+
+  void
+  time_fit(benchmark::State &state, const CellKind kind, const Fit &fit_cell)
+  {
+    testing::Random         random(2010);
+    std::vector<FitProblem> problems;
+    for (unsigned int cell = 0; cell < n_cells; ++cell)
+      problems.push_back(testing::random_problem(kind, random));
+
+    for (auto _ : state)
+      for (const auto &problem : problems)
+        benchmark::DoNotOptimize(fit_cell(problem));
+    state.counters["us_per_cell"] =
+      benchmark::Counter(1e-6 * n_cells,
+                         benchmark::Counter::kIsIterationInvariantRate |
+                           benchmark::Counter::kInvert);
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  for (const CellKind kind : testing::all_kinds)
+    for (const auto &[name, fit_cell] : fits)
+      benchmark::RegisterBenchmark((name + "/" + singular(kind)).c_str(),
+                                   time_fit,
+                                   kind,
+                                   fit_cell)
+        ->Unit(benchmark::kMillisecond);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
