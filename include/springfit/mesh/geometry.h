@@ -1,0 +1,65 @@
+#ifndef springfit_mesh_geometry_h
+#define springfit_mesh_geometry_h
+
+#include <springfit/mesh/mesh.h>
+#include <springfit/mesh/objects.h>
+
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <mpi.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  /**
+   * The section Geometry: which object, of which cells.
+   */
+  template <int dim>
+  class Geometry : public dealii::ParameterAcceptor
+  {
+  public:
+    Geometry();
+
+    /**
+     * Check all values that can be judged without looking at files; done
+     * whenever the parameters are read.
+     *
+     * @throws EntryError
+     */
+    void check() const;
+
+    /**
+     * Check that the mesh file, if the object is one, is there to be read.
+     * Relative names start at @p folder_of_prm. Call it on one rank.
+     *
+     * @throws EntryError
+     */
+    void check_files(const std::filesystem::path &folder_of_prm) const;
+
+    /**
+     * Make the mesh on the first rank, check it and give it to all ranks,
+     * which share the cells among them by subdomain ids. Collective.
+     *
+     * @throws EntryError or InputError, the same on all ranks.
+     */
+    std::unique_ptr<Mesh<dim>>
+    create(MPI_Comm communicator,
+           const std::filesystem::path &folder_of_prm) const;
+
+  private:
+    ObjectRequest request(const std::filesystem::path &folder_of_prm) const;
+
+    std::string object_            = "box";
+    std::string cells_             = dim == 2 ? "quadrilaterals" : "hexahedra";
+    std::vector<double> size_      = std::vector<double>(dim, 0.02);
+    std::vector<double> cell_size_ = {0.0025};
+    std::string file_;
+    double scale_ = 1.;
+  };
+} // namespace springfit
+
+#endif

@@ -1,0 +1,43 @@
+#ifndef springfit_mesh_materials_h
+#define springfit_mesh_materials_h
+
+#include <springfit/mesh/mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  struct MaterialRow
+  {
+    dealii::types::material_id id;
+    std::string name; // empty if it has none
+    unsigned int n_cells;
+    double measure; // m^3, or m^2 in 2-d
+  };
+
+  /** A row for each material id of the mesh, in ascending order. */
+  template <int dim>
+  std::vector<MaterialRow> material_table(const Mesh<dim> &mesh);
+
+  /**
+   * The material that a user names by its number or name.
+   *
+   * @p entry names the parameter in the error.
+   *
+   * @throws EntryError listing the materials of the mesh when it is absent.
+   */
+  template <int dim>
+  dealii::types::material_id find_material(const Mesh<dim> &mesh,
+                                           const std::string &id_or_name,
+                                           const std::string &entry);
+
+  /**
+   * The table for the screen: a headline and a line for each row, in columns
+   * material id : name : cells : volume (area in 2-d), each line ended.
+   */
+  template <int dim>
+  std::string format_material_table(const std::vector<MaterialRow> &table);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,83 @@
+#ifndef springfit_mesh_objects_h
+#define springfit_mesh_objects_h
+
+#include <springfit/mesh/mesh_description.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  /** What the section Geometry of a parameter file asks for. */
+  struct ObjectRequest
+  {
+    int dim;
+    CellKind cell_kind;
+
+    /** Extents along x, y, z in m: dim numbers. */
+    std::vector<double> size;
+
+    /** Edge length in m: one number, or one for each direction. */
+    std::vector<double> cell_size;
+
+    /** Absolute or relative to the working directory; only for a file. */
+    std::filesystem::path file;
+
+    /** Units of the file to m. */
+    double scale;
+  };
+
+
+  /**
+   * A geometry that a user can name. A new one is a file with its check and
+   * its description, and a line in the table of objects.cc.
+   */
+  struct Object
+  {
+    std::string name;
+
+    /** A phrase for the entry's text: what it is, and its boundary ids. */
+    std::string help;
+
+    /** @throws EntryError when the request does not suit the object. */
+    void (*check)(const ObjectRequest &request);
+
+    /**
+     * Null, or: look whether the files of the request can be read.
+     *
+     * @throws EntryError
+     */
+    void (*check_files)(const ObjectRequest &request);
+
+    /**
+     * Make the mesh; its checks (mesh_checks.h) are yet to be done.
+     *
+     * @throws InputError
+     */
+    MeshDescription (*describe)(const ObjectRequest &request);
+  };
+
+  /** Every object, in the order in which they are offered. */
+  const std::vector<Object> &objects();
+
+  /** @throws EntryError with the nearest known name. */
+  const Object &find_object(const std::string &name);
+
+
+  void check_box(const ObjectRequest &request);
+
+  MeshDescription describe_box(const ObjectRequest &request);
+
+  void check_cylinder(const ObjectRequest &request);
+
+  MeshDescription describe_cylinder(const ObjectRequest &request);
+
+  void check_file(const ObjectRequest &request);
+
+  void check_file_is_readable(const ObjectRequest &request);
+
+  MeshDescription describe_file(const ObjectRequest &request);
+} // namespace springfit
+
+#endif

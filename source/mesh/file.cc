@@ -1,0 +1,234 @@
+#include <springfit/core/error.h>
+#include <springfit/mesh/facets.h>
+#include <springfit/mesh/gmsh_model.h>
+#include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/objects.h>
+#include <springfit/mesh/physical_groups.h>
+#include <springfit/mesh/sizes.h>
+
+#include <gmsh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace springfit
+{
+  namespace
+  {
+    std::string name_of(const ObjectRequest &request)
+    {
+      return "Mesh file '" + request.file.string() + "'";
+    }
+
+    // What gmsh does, with its complaint as the message when it fails.
+    template <typename Action>
+    void run_gmsh(const std::string &name, const Action &action)
+    {
+      std::string complaint;
+      try
+        {
+          action();
+          return;
+        }
+      catch (const std::string &error)
+        {
+          complaint = error;
+        }
+      catch (const std::exception &error)
+        {
+          complaint = error.what();
+        }
+      throw InputError(name + " cannot be read by gmsh (" + complaint + ").",
+                       "Give a mesh in one of the formats .msh (1 to 4), "
+                       ".vtk, .unv, .mesh, .bdf, or a geometry in .geo, "
+                       ".step, .brep.");
+    }
+
+    bool is_unmeshed_geometry(const int dim)
+    {
+      gmsh::vectorpair entities;
+      gmsh::model::getEntities(entities, dim);
+      return !entities.empty() &&
+             n_gmsh_elements(1) + n_gmsh_elements(2) + n_gmsh_elements(3) == 0;
+    }
+
+    // Refuse to mesh what would take hours: the box around the geometry tells.
+    void check_n_cells_of_geometry(const ObjectRequest &request)
+    {
+      double low[3], high[3];
+      gmsh::model::getBoundingBox(
+        -1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
+      ObjectRequest box = request;
+      box.size.clear();
+      for (int d = 0; d < request.dim; ++d)
+        box.size.push_back(request.scale * (high[d] - low[d]));
+      check_n_cells(estimate_n_cells(box));
+    }
+
+    void mesh_geometry(const ObjectRequest &request)
+    {
+      if (request.cell_kind == CellKind::hexahedron)
+        throw EntryError("Geometry/Cells",
+                         "gmsh cannot fill the geometry of '" +
+                           request.file.string() + "' with hexahedra.",
+                         "Set it to tetrahedra, or give a file that holds a "
+                         "mesh of hexahedra (in gmsh: a transfinite or "
+                         "extruded volume).");
+      if (request.cell_size.size() != 1)
+        throw EntryError("Geometry/Cell size",
+                         "several numbers are given for a geometry that "
+                         "gmsh meshes.",
+                         "Give one length in m.");
+      check_n_cells_of_geometry(request);
+      gmsh::option::setNumber("Mesh.MeshSizeMax",
+                              request.cell_size[0] / request.scale);
+      gmsh::option::setNumber("Mesh.ElementOrder", 1);
+      if (request.cell_kind == CellKind::quadrilateral)
+        {
+          gmsh::option::setNumber("Mesh.RecombineAll", 1);
+          // Blossom, and a subdivision that leaves no triangle.
+          gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 3);
+        }
+      mesh_gmsh_model(name_of(request), request.dim);
+    }
+
+    std::string found_dimensions()
+    {
+      std::vector<std::string> found;
+      for (int d = 1; d <= 3; ++d)
+        if (n_gmsh_elements(d) > 0)
+          found.push_back(std::to_string(n_gmsh_elements(d)) +
+                          " of dimension " + std::to_string(d));
+      return found.empty() ? "no elements at all" : join(found, " and ");
+    }
+
+    void check_dimension(const std::string &name, const int dim)
+    {
+      if (n_gmsh_elements(dim) > 0 && (dim == 3 || n_gmsh_elements(3) == 0))
+        return;
+
+      const std::string found =
+        name +
+        (n_gmsh_elements(dim) == 0
+           ? " has no cells of dimension " + std::to_string(dim)
+           : std::string(" has more than cells of dimension 2")) +
+        "; gmsh finds " + found_dimensions() + ".";
+      gmsh::vectorpair cells, sides;
+      gmsh::model::getPhysicalGroups(cells, dim);
+      gmsh::model::getPhysicalGroups(sides, dim - 1);
+      const std::string side = dim == 2 ? "curve" : "surface";
+      const std::string body = dim == 2 ? "surface" : "volume";
+      if (n_gmsh_elements(dim) == 0 && cells.empty() && !sides.empty())
+        throw InputError(found,
+                         "The file has a physical " + side +
+                           " but no physical " + body +
+                           ", and gmsh saves only the elements of physical "
+                           "groups: add a physical " +
+                           body +
+                           " with all cells and save the mesh again (or use "
+                           "'gmsh -save_all').");
+      throw InputError(found,
+                       "Set Dimension to that of the mesh, or give another "
+                       "mesh.");
+    }
+
+    // gmsh's plane meshes may lie at any z.
+    void put_into_plane(MeshDescription &mesh)
+    {
+      double low = mesh.vertices[0][2], high = low, extent = 0.;
+      for (const MeshPoint &vertex : mesh.vertices)
+        {
+          low    = std::min(low, vertex[2]);
+          high   = std::max(high, vertex[2]);
+          extent = std::max({extent,
+                             std::abs(vertex[0] - mesh.vertices[0][0]),
+                             std::abs(vertex[1] - mesh.vertices[0][1])});
+        }
+      if (high - low > 1e-9 * extent)
+        {
+          std::ostringstream range;
+          range << low << " to " << high;
+          throw InputError(mesh.name + " is not plane: z goes from " +
+                             range.str() + " (in m).",
+                           "A mesh of dimension 2 must lie in a plane "
+                           "z = constant.");
+        }
+      for (MeshPoint &vertex : mesh.vertices)
+        vertex[2] = 0.;
+    }
+
+    void scale_to_metres(MeshDescription &mesh, const double scale)
+    {
+      for (MeshPoint &vertex : mesh.vertices)
+        for (double &x : vertex)
+          x *= scale;
+    }
+  } // namespace
+
+
+  void check_file(const ObjectRequest &request)
+  {
+    if (request.file.empty())
+      throw EntryError("Geometry/File",
+                       "no file is given although Object is 'file'.",
+                       "Name a mesh file, relative to the folder of the .prm "
+                       "file.");
+    if (!(std::isfinite(request.scale) && request.scale > 0.))
+      throw EntryError("Geometry/Scale",
+                       "it is not a positive number.",
+                       "Give the length of a unit of the file in m, as 0.001 "
+                       "for a file in mm.");
+  }
+
+
+  void check_file_is_readable(const ObjectRequest &request)
+  {
+    const auto &file       = request.file;
+    const std::string name = "'" + file.string() + "'";
+    std::error_code ignored;
+    const std::string mend = "Name a mesh file, relative to the folder of the "
+                             ".prm file.";
+    if (!std::filesystem::exists(file, ignored))
+      throw EntryError("Geometry/File", name + " does not exist.", mend);
+    if (std::filesystem::is_directory(file, ignored))
+      throw EntryError("Geometry/File",
+                       name + " is a directory, not a file.",
+                       mend);
+    if (!std::filesystem::is_regular_file(file, ignored))
+      throw EntryError("Geometry/File", name + " is not a regular file.", mend);
+    if (!std::ifstream(file))
+      throw EntryError("Geometry/File",
+                       name + " cannot be read.",
+                       "Mend its permissions.");
+    if (file.extension() == ".inp")
+      throw EntryError("Geometry/File",
+                       name + " is an Abaqus file, which gmsh writes but does "
+                              "not read.",
+                       "Convert it to .msh, .unv or .vtk.");
+  }
+
+
+  MeshDescription describe_file(const ObjectRequest &request)
+  {
+    check_file_is_readable(request);
+    const std::string name = name_of(request);
+    const GmshSession gmsh_session;
+    run_gmsh(name, [&]() { open_with_groups(request.file, request.dim); });
+
+    if (is_unmeshed_geometry(request.dim))
+      mesh_geometry(request);
+    check_dimension(name, request.dim);
+
+    GmshCells cells = read_gmsh_cells(name, request.dim);
+    scale_to_metres(cells.mesh, request.scale);
+    check_coordinates(cells.mesh);
+    if (request.dim == 2)
+      put_into_plane(cells.mesh);
+    read_materials(cells);
+    read_boundaries(cells);
+    return cells.mesh;
+  }
+} // namespace springfit

@@ -1,0 +1,129 @@
+#include <springfit/core/collective.h>
+#include <springfit/core/error.h>
+#include <springfit/core/words.h>
+#include <springfit/mesh/build_mesh.h>
+#include <springfit/mesh/geometry.h>
+#include <springfit/mesh/mesh_checks.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <string>
+
+namespace springfit
+{
+  namespace
+  {
+    std::string help_on_objects()
+    {
+      std::string text = "The object. ";
+      for (const Object &object : objects())
+        text += object.name + ": " + object.help + ". ";
+      return text + "No unit.";
+    }
+
+    std::string help_on_cells()
+    {
+      return "The cells: " + join(words_of(cell_kind_words())) +
+             ". Boxes and cylinders have structured quadrilaterals and "
+             "hexahedra; gmsh makes the others. A mesh file decides for "
+             "itself; a geometry file can have all but hexahedra. No unit.";
+    }
+  } // namespace
+
+
+  template <int dim>
+  Geometry<dim>::Geometry() : ParameterAcceptor("Geometry")
+  {
+    add_parameter("Object", object_, help_on_objects());
+    add_parameter("Cells", cells_, help_on_cells());
+    add_parameter("Size",
+                  size_,
+                  std::string("Extents of the object along x") +
+                    (dim == 2 ? " and y" : ", y and z") +
+                    ", separated by commas; of a cylinder: height, diameter, "
+                    "diameter. Not for a file. In m.");
+    add_parameter("Cell size",
+                  cell_size_,
+                  "Edge length of a cell. Quadrilaterals and hexahedra may "
+                  "have one for each direction, separated by commas (of a "
+                  "cylinder: along its axis, around it, along its radius). "
+                  "The largest edge that a geometry file is meshed with; a "
+                  "mesh file has its own. In m.");
+    add_parameter("File",
+                  file_,
+                  "Mesh file (.msh 1 to 4, .vtk, .unv, .mesh, .bdf) or "
+                  "geometry file (.geo, .step, .brep), relative to the folder "
+                  "of this parameter file. No unit.");
+    add_parameter("Scale",
+                  scale_,
+                  "Length of a unit of File, as 0.001 for a file in mm. In m.");
+    this->parse_parameters_call_back.connect([this]() { check(); });
+  }
+
+
+  template <int dim>
+  ObjectRequest
+  Geometry<dim>::request(const std::filesystem::path &folder_of_prm) const
+  {
+    ObjectRequest request;
+    request.dim       = dim;
+    request.cell_kind = value_of(cell_kind_words(), cells_, "Geometry/Cells");
+    request.size      = size_;
+    request.cell_size = cell_size_;
+    if (!file_.empty())
+      request.file = folder_of_prm / file_;
+    request.scale = scale_;
+    return request;
+  }
+
+
+  template <int dim>
+  void Geometry<dim>::check() const
+  {
+    const Object &object        = find_object(object_);
+    const ObjectRequest request = this->request("");
+    if (dimension(request.cell_kind) != dim)
+      throw EntryError("Geometry/Cells",
+                       cells_ + " are cells of dimension " +
+                         std::to_string(5 - dim) +
+                         ", the scene has dimension " + std::to_string(dim) +
+                         ".",
+                       std::string("Set it to ") +
+                         (dim == 2 ? "triangles or quadrilaterals"
+                                   : "tetrahedra or hexahedra") +
+                         ", or change Dimension.");
+    object.check(request);
+  }
+
+
+  template <int dim>
+  void
+  Geometry<dim>::check_files(const std::filesystem::path &folder_of_prm) const
+  {
+    const Object &object = find_object(object_);
+    if (object.check_files != nullptr)
+      object.check_files(request(folder_of_prm));
+  }
+
+
+  template <int dim>
+  std::unique_ptr<Mesh<dim>>
+  Geometry<dim>::create(const MPI_Comm communicator,
+                        const std::filesystem::path &folder_of_prm) const
+  {
+    check();
+    MeshDescription description;
+    run_on_root(communicator, [&]() {
+      description = find_object(object_).describe(request(folder_of_prm));
+      check_mesh(description);
+    });
+    description =
+      dealii::Utilities::MPI::broadcast(communicator, description, 0);
+    return build_mesh<dim>(
+      description, dealii::Utilities::MPI::n_mpi_processes(communicator));
+  }
+
+
+  template class Geometry<2>;
+  template class Geometry<3>;
+} // namespace springfit

@@ -1,0 +1,71 @@
+#include <springfit/mesh/materials.h>
+#include <springfit/mesh/name_lookup.h>
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/tria.h>
+#include <deal.II/grid/tria_accessor.h>
+
+#include <map>
+
+namespace springfit
+{
+  template <int dim>
+  std::vector<MaterialRow> material_table(const Mesh<dim> &mesh)
+  {
+    std::map<dealii::types::material_id, MaterialRow> rows;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        const auto id   = cell->material_id();
+        const auto name = mesh.material_names.find(id);
+        MaterialRow empty{id, "", 0, 0.};
+        if (name != mesh.material_names.end())
+          empty.name = name->second;
+        auto &row = rows.try_emplace(id, empty).first->second;
+        ++row.n_cells;
+        row.measure += cell->measure();
+      }
+
+    std::vector<MaterialRow> table;
+    for (const auto &[id, row] : rows)
+      table.push_back(row);
+    return table;
+  }
+
+
+  template <int dim>
+  dealii::types::material_id find_material(const Mesh<dim> &mesh,
+                                           const std::string &id_or_name,
+                                           const std::string &entry)
+  {
+    std::vector<IdAndName> known;
+    for (const MaterialRow &row : material_table(mesh))
+      known.push_back({row.id, row.name});
+    return find_ids(known, id_or_name, "material", entry).front();
+  }
+
+
+  template <int dim>
+  std::string format_material_table(const std::vector<MaterialRow> &table)
+  {
+    std::vector<TableLine> lines;
+    for (const MaterialRow &row : table)
+      lines.push_back({row.id, row.name, row.n_cells, row.measure});
+    return format_table({"material id",
+                         "name",
+                         "cells",
+                         dim == 2 ? "area [m^2]" : "volume [m^3]"},
+                        lines);
+  }
+
+
+  template std::vector<MaterialRow> material_table(const Mesh<2> &);
+  template std::vector<MaterialRow> material_table(const Mesh<3> &);
+  template dealii::types::material_id
+  find_material(const Mesh<2> &, const std::string &, const std::string &);
+  template dealii::types::material_id
+  find_material(const Mesh<3> &, const std::string &, const std::string &);
+  template std::string
+  format_material_table<2>(const std::vector<MaterialRow> &);
+  template std::string
+  format_material_table<3>(const std::vector<MaterialRow> &);
+} // namespace springfit

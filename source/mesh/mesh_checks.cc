@@ -1,0 +1,361 @@
+#include <springfit/core/error.h>
+#include <springfit/mesh/facets.h>
+#include <springfit/mesh/mesh_checks.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <sstream>
+#include <string>
+
+namespace springfit
+{
+  namespace
+  {
+    // Below this, a corner's scaled Jacobian is rounding error.
+    constexpr double flat = 1e-10;
+
+    enum class Orientation
+    {
+      positive,
+      negative,
+      flat,
+      folded
+    };
+
+    MeshPoint difference(const MeshPoint &a, const MeshPoint &b)
+    {
+      return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
+    }
+
+    double norm(const MeshPoint &a)
+    {
+      return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    }
+
+    double scaled_determinant(const MeshPoint &a, const MeshPoint &b)
+    {
+      const double scale = norm(a) * norm(b);
+      return scale > 0. ? (a[0] * b[1] - a[1] * b[0]) / scale : 0.;
+    }
+
+    double scaled_determinant(const MeshPoint &a,
+                              const MeshPoint &b,
+                              const MeshPoint &c)
+    {
+      const double scale = norm(a) * norm(b) * norm(c);
+      return scale > 0. ? (a[0] * (b[1] * c[2] - b[2] * c[1]) +
+                           a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                           a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                            scale
+                        : 0.;
+    }
+
+    Orientation orientation_of(const MeshDescription &mesh,
+                               const unsigned int cell)
+    {
+      const auto values = scaled_jacobians(mesh, cell);
+      const double low  = *std::min_element(values.begin(), values.end());
+      const double high = *std::max_element(values.begin(), values.end());
+      if (low > flat)
+        return Orientation::positive;
+      if (high < -flat)
+        return Orientation::negative;
+      if (low < -flat && high > flat)
+        return Orientation::folded;
+      return Orientation::flat;
+    }
+
+    // The order that makes the mirror image of a cell.
+    const std::vector<unsigned int> &mirrored_order(const CellKind kind)
+    {
+      static const std::map<CellKind, std::vector<unsigned int>> orders = {
+        {CellKind::triangle, {0, 2, 1}},
+        {CellKind::quadrilateral, {0, 2, 1, 3}},
+        {CellKind::tetrahedron, {0, 2, 1, 3}},
+        {CellKind::hexahedron, {4, 5, 6, 7, 0, 1, 2, 3}}};
+      return orders.at(kind);
+    }
+
+    void mirror_numbering(MeshDescription &mesh, const unsigned int cell)
+    {
+      const auto &order   = mirrored_order(mesh.cell_kind);
+      unsigned int *first = mesh.cell(cell);
+      std::vector<unsigned int> old(first, first + order.size());
+      for (unsigned int i = 0; i < order.size(); ++i)
+        first[i] = old[order[i]];
+    }
+
+    std::string count(const unsigned int n, const MeshDescription &mesh)
+    {
+      return std::to_string(n) + " of " + std::to_string(mesh.n_cells()) +
+             " cells " + (n == 1 ? "is" : "are");
+    }
+
+    /** First cell of each group and, at the end, the number of cells. */
+    std::vector<unsigned int> group_limits(const MeshDescription &mesh)
+    {
+      std::vector<unsigned int> limits = mesh.group_begins;
+      if (limits.empty())
+        limits = {0};
+      limits.push_back(mesh.n_cells());
+      return limits;
+    }
+
+    void refuse(const MeshDescription &mesh,
+                const std::vector<Orientation> &orientations,
+                const Orientation bad,
+                const std::string &text,
+                const std::string &mend)
+    {
+      const auto first =
+        std::find(orientations.begin(), orientations.end(), bad);
+      if (first == orientations.end())
+        return;
+      const unsigned int n =
+        std::count(orientations.begin(), orientations.end(), bad);
+      throw InputError(mesh.name + ": " +
+                         describe_cell(mesh, first - orientations.begin()) +
+                         ' ' + text + " (" + count(n, mesh) + ").",
+                       mend);
+    }
+
+    unsigned int find_root(std::vector<unsigned int> &parents,
+                           unsigned int vertex)
+    {
+      while (parents[vertex] != vertex)
+        vertex = parents[vertex] = parents[parents[vertex]];
+      return vertex;
+    }
+  } // namespace
+
+
+  std::string describe_cell(const MeshDescription &mesh,
+                            const unsigned int cell)
+  {
+    const int n_corners = n_vertices(mesh.cell_kind);
+    MeshPoint centre    = {{0., 0., 0.}};
+    for (int i = 0; i < n_corners; ++i)
+      for (int d = 0; d < 3; ++d)
+        centre[d] += mesh.vertices[mesh.cell(cell)[i]][d] / n_corners;
+
+    std::ostringstream text;
+    text.precision(4);
+    text << singular(mesh.cell_kind) << ' '
+         << (mesh.cell_numbers.empty() ? cell : mesh.cell_numbers[cell])
+         << " (around x = " << centre[0] << ", y = " << centre[1];
+    if (dimension(mesh.cell_kind) == 3)
+      text << ", z = " << centre[2];
+    text << " m)";
+    return text.str();
+  }
+
+
+  std::vector<double> scaled_jacobians(const MeshDescription &mesh,
+                                       const unsigned int cell)
+  {
+    const unsigned int *const corners = mesh.cell(cell);
+    const auto edge = [&](const unsigned int from, const unsigned int to) {
+      return difference(mesh.vertices[corners[to]],
+                        mesh.vertices[corners[from]]);
+    };
+    // In lexicographic order, flipping a bit goes to the neighbour along an
+    // axis; all edges shall point the way of their axes.
+    const auto axis = [&](const unsigned int corner, const unsigned int bit) {
+      return edge(corner & ~bit, corner | bit);
+    };
+
+    std::vector<double> result;
+    switch (mesh.cell_kind)
+      {
+        case CellKind::triangle:
+          result.push_back(scaled_determinant(edge(0, 1), edge(0, 2)));
+          break;
+        case CellKind::tetrahedron:
+          result.push_back(
+            scaled_determinant(edge(0, 1), edge(0, 2), edge(0, 3)));
+          break;
+        case CellKind::quadrilateral:
+          for (unsigned int i = 0; i < 4; ++i)
+            result.push_back(scaled_determinant(axis(i, 1), axis(i, 2)));
+          break;
+        case CellKind::hexahedron:
+          for (unsigned int i = 0; i < 8; ++i)
+            result.push_back(
+              scaled_determinant(axis(i, 1), axis(i, 2), axis(i, 4)));
+          break;
+      }
+    return result;
+  }
+
+
+  void check_not_empty(const MeshDescription &mesh)
+  {
+    if (mesh.cells.empty())
+      throw InputError(mesh.name + " has no cells.",
+                       "Give a mesh with at least one cell.");
+  }
+
+
+  void check_coordinates(const MeshDescription &mesh)
+  {
+    for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
+      for (const double x : mesh.vertices[v])
+        if (!std::isfinite(x))
+          throw InputError(mesh.name + ": the " + std::to_string(v + 1) +
+                             ". vertex has a coordinate that is not a finite "
+                             "number.",
+                           "Write the mesh anew.");
+  }
+
+
+  void check_vertices_are_used(const MeshDescription &mesh)
+  {
+    std::vector<bool> used(mesh.vertices.size(), false);
+    for (const unsigned int v : mesh.cells)
+      used.at(v) = true;
+    const auto unused = std::find(used.begin(), used.end(), false);
+    if (unused != used.end())
+      throw InputError(mesh.name + ": the " +
+                         std::to_string(unused - used.begin() + 1) +
+                         ". vertex belongs to no cell.",
+                       "Remove the vertices that no cell uses.");
+  }
+
+
+  void check_no_duplicate_cells(const MeshDescription &mesh)
+  {
+    const unsigned int n_corners = n_vertices(mesh.cell_kind);
+
+    using Key = std::array<unsigned int, 9>; // the last one is the cell
+    std::vector<Key> keys(mesh.n_cells(), Key{});
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      {
+        std::copy_n(mesh.cell(c), n_corners, keys[c].begin());
+        std::sort(keys[c].begin(), keys[c].begin() + n_corners);
+        keys[c].back() = c;
+      }
+    std::sort(keys.begin(), keys.end());
+
+    const auto twin =
+      std::adjacent_find(keys.begin(),
+                         keys.end(),
+                         [](const Key &a, const Key &b) {
+                           return std::equal(a.begin(), a.end() - 1, b.begin());
+                         });
+    if (twin != keys.end())
+      throw InputError(mesh.name + ": " +
+                         describe_cell(mesh, (twin + 1)->back()) +
+                         " is a duplicate of " +
+                         describe_cell(mesh, twin->back()) + ".",
+                       "Remove one of them; a cell may belong to one physical "
+                       "group of cells only.");
+  }
+
+
+  void check_orientation(MeshDescription &mesh)
+  {
+    std::vector<Orientation> orientations;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      orientations.push_back(orientation_of(mesh, c));
+
+    const std::string measure =
+      dimension(mesh.cell_kind) == 2 ? "area" : "volume";
+    refuse(mesh,
+           orientations,
+           Orientation::flat,
+           "has no " + measure,
+           "Move its vertices apart, or mesh the object anew.");
+    refuse(mesh,
+           orientations,
+           Orientation::folded,
+           "is folded: its Jacobian is negative at one corner and positive "
+           "at another",
+           "Move its vertices until it is convex, or mesh the object anew.");
+
+    const auto limits       = group_limits(mesh);
+    unsigned int n_mirrored = 0;
+    for (unsigned int g = 0; g + 1 < limits.size(); ++g)
+      {
+        const auto begin = orientations.begin() + limits[g];
+        const auto end   = orientations.begin() + limits[g + 1];
+        if (std::count(begin, end, Orientation::negative) != end - begin)
+          continue;
+        for (unsigned int c = limits[g]; c < limits[g + 1]; ++c)
+          mirror_numbering(mesh, c);
+        std::fill(begin, end, Orientation::positive);
+        n_mirrored += end - begin;
+      }
+
+    refuse(mesh,
+           orientations,
+           Orientation::negative,
+           "is inverted: its " + measure + " is negative",
+           "Mesh the object anew, or order the vertices of such cells like "
+           "those of the others.");
+    if (n_mirrored > 0)
+      mesh.warnings.push_back(mesh.name + ": " + count(n_mirrored, mesh) +
+                              (dimension(mesh.cell_kind) == 2
+                                 ? " numbered clockwise"
+                                 : " numbered left-handedly") +
+                              "; their vertices have been reordered.");
+  }
+
+
+  std::vector<unsigned int> connected_parts(const MeshDescription &mesh)
+  {
+    std::vector<unsigned int> parents(mesh.vertices.size());
+    std::iota(parents.begin(), parents.end(), 0);
+    const int n_corners = n_vertices(mesh.cell_kind);
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      for (int i = 1; i < n_corners; ++i)
+        {
+          const auto a            = find_root(parents, mesh.cell(c)[0]);
+          const auto b            = find_root(parents, mesh.cell(c)[i]);
+          parents[std::max(a, b)] = std::min(a, b);
+        }
+
+    std::map<unsigned int, unsigned int> n_cells_of_root;
+    for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+      ++n_cells_of_root[find_root(parents, mesh.cell(c)[0])];
+
+    std::vector<unsigned int> result;
+    for (const auto &[root, n_cells] : n_cells_of_root)
+      result.push_back(n_cells);
+    return result;
+  }
+
+
+  void check_connection(MeshDescription &mesh)
+  {
+    const auto parts = connected_parts(mesh);
+    if (parts.size() < 2)
+      return;
+
+    constexpr unsigned int n_named = 8;
+    std::vector<std::string> counts;
+    for (unsigned int i = 0; i < parts.size() && i < n_named; ++i)
+      counts.push_back(std::to_string(parts[i]));
+    if (parts.size() > n_named)
+      counts.push_back("...");
+    mesh.warnings.push_back(
+      mesh.name + " has " + std::to_string(parts.size()) +
+      " parts without a common vertex, of " + join(counts) +
+      " cells. If they should hold together, merge their coincident vertices "
+      "(in gmsh: Coherence, or 'Coherence Mesh').");
+  }
+
+
+  void check_mesh(MeshDescription &mesh)
+  {
+    check_not_empty(mesh);
+    check_coordinates(mesh);
+    check_vertices_are_used(mesh);
+    check_no_duplicate_cells(mesh);
+    check_orientation(mesh);
+    boundary_sides(mesh); // no side with more than two cells
+    check_connection(mesh);
+  }
+} // namespace springfit
