@@ -27,31 +27,27 @@ namespace springfit
                  !(problem.nonnegative && k.minCoeff() <= 0.))
       {}
 
-      Eigen::VectorXd             k;
-      double                      t;
-      Eigen::MatrixXd             E;
-      Eigen::MatrixXd             I;
+      Eigen::VectorXd k;
+      double t;
+      Eigen::MatrixXd E;
+      Eigen::MatrixXd I;
       Eigen::LLT<Eigen::MatrixXd> lower;
       Eigen::LLT<Eigen::MatrixXd> upper;
-      bool                        inside;
+      bool inside;
     };
 
-    double
-    log_det(const Eigen::LLT<Eigen::MatrixXd> &llt)
+    double log_det(const Eigen::LLT<Eigen::MatrixXd> &llt)
     {
       return 2. * llt.matrixLLT().diagonal().array().log().sum();
     }
 
     /** Infinite outside. */
     double
-    barrier(const SpectralProblem &problem,
-            const Cones           &cones,
-            const double           mu)
+    barrier(const SpectralProblem &problem, const Cones &cones, const double mu)
     {
       if (!cones.inside)
         return infinity;
-      double value =
-        cones.t / mu - log_det(cones.lower) - log_det(cones.upper);
+      double value = cones.t / mu - log_det(cones.lower) - log_det(cones.upper);
       if (problem.nonnegative)
         value -= cones.k.array().log().sum();
       return value;
@@ -64,16 +60,15 @@ namespace springfit
     };
 
     /** Those of -log det A, dA/dk_s = sign b_s b_s^T, dA/dt = I. */
-    void
-    add_cone(const double                       sign,
-             const Eigen::MatrixXd             &B,
-             const Eigen::LLT<Eigen::MatrixXd> &A,
-             Derivatives                       &derivatives)
+    void add_cone(const double sign,
+                  const Eigen::MatrixXd &B,
+                  const Eigen::LLT<Eigen::MatrixXd> &A,
+                  Derivatives &derivatives)
     {
-      const Eigen::Index    n_springs = B.cols();
+      const Eigen::Index n_springs = B.cols();
       const Eigen::MatrixXd X =
         A.solve(Eigen::MatrixXd::Identity(B.rows(), B.rows()));
-      const Eigen::MatrixXd X_B = X * B;
+      const Eigen::MatrixXd X_B   = X * B;
       const Eigen::MatrixXd B_X_B = B.transpose() * X_B;
 
       derivatives.gradient.head(n_springs) -= sign * B_X_B.diagonal();
@@ -85,13 +80,12 @@ namespace springfit
       derivatives.hessian(n_springs, n_springs) += X.squaredNorm();
     }
 
-    Derivatives
-    differentiate(const SpectralProblem &problem,
-                  const Cones           &cones,
-                  const double           mu)
+    Derivatives differentiate(const SpectralProblem &problem,
+                              const Cones &cones,
+                              const double mu)
     {
       const Eigen::Index n = problem.B.cols() + 1;
-      Derivatives        derivatives{Eigen::VectorXd::Unit(n, n - 1) / mu,
+      Derivatives derivatives{Eigen::VectorXd::Unit(n, n - 1) / mu,
                               Eigen::MatrixXd::Zero(n, n)};
       add_cone(1., problem.B, cones.lower, derivatives);
       add_cone(-1., problem.B, cones.upper, derivatives);
@@ -105,8 +99,7 @@ namespace springfit
     }
 
     /** After scaling H to a unit diagonal: its entries range widely. */
-    Eigen::VectorXd
-    newton_step(const Derivatives &derivatives)
+    Eigen::VectorXd newton_step(const Derivatives &derivatives)
     {
       const Eigen::VectorXd scale =
         derivatives.hessian.diagonal().cwiseSqrt().cwiseInverse();
@@ -122,20 +115,19 @@ namespace springfit
      * decrement is below @p decrement_end, or when rounding lets it fall no
      * further.
      */
-    Eigen::VectorXd
-    centre(const SpectralProblem &problem,
-           Eigen::VectorXd        x,
-           const double           mu,
-           const double           decrement_end)
+    Eigen::VectorXd centre(const SpectralProblem &problem,
+                           Eigen::VectorXd x,
+                           const double mu,
+                           const double decrement_end)
     {
       constexpr unsigned int n_steps_max = 60;
 
       double previous = infinity;
       for (unsigned int n_steps = 0; n_steps < n_steps_max; ++n_steps)
         {
-          const Cones       cones(problem, x);
-          const Derivatives derivatives = differentiate(problem, cones, mu);
-          const Eigen::VectorXd step = newton_step(derivatives);
+          const Cones cones(problem, x);
+          const Derivatives derivatives  = differentiate(problem, cones, mu);
+          const Eigen::VectorXd step     = newton_step(derivatives);
           const double decrement_squared = -derivatives.gradient.dot(step);
           // Where the quadratic convergence of the last steps stalls, rounding
           // has the say.
@@ -170,17 +162,17 @@ namespace springfit
      * Newton's step, Y = mu (A^-1 - A^-1 dA A^-1), they are Newton's
      * equations, which hold to the accuracy of their solution.
      */
-    Eigen::MatrixXd
-    multiplier(const SpectralProblem &problem,
-               const Eigen::VectorXd &x,
-               const double           mu)
+    Eigen::MatrixXd multiplier(const SpectralProblem &problem,
+                               const Eigen::VectorXd &x,
+                               const double mu)
     {
-      const Eigen::Index    n_springs = problem.B.cols();
-      const Cones           cones(problem, x);
-      const Eigen::VectorXd step = newton_step(differentiate(problem, cones, mu));
+      const Eigen::Index n_springs = problem.B.cols();
+      const Cones cones(problem, x);
+      const Eigen::VectorXd step =
+        newton_step(differentiate(problem, cones, mu));
 
-      const Eigen::MatrixXd dK = problem.B * step.head(n_springs).asDiagonal() *
-                                 problem.B.transpose();
+      const Eigen::MatrixXd dK =
+        problem.B * step.head(n_springs).asDiagonal() * problem.B.transpose();
       const Eigen::MatrixXd dt = step[n_springs] * cones.I;
       const Eigen::MatrixXd X  = cones.lower.solve(cones.I);
       const Eigen::MatrixXd Z  = cones.upper.solve(cones.I);
@@ -189,8 +181,8 @@ namespace springfit
   } // namespace
 
 
-  SpectralSolution
-  solve_by_barrier(const SpectralProblem &problem, const double mu)
+  SpectralSolution solve_by_barrier(const SpectralProblem &problem,
+                                    const double mu)
   {
     constexpr double mu_start    = 1e-2;
     constexpr double mu_factor   = 0.05;

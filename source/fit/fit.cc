@@ -16,25 +16,23 @@ namespace springfit
     /** k and, where there is a certificate, its gap. */
     struct Constants
     {
-      Eigen::VectorXd       k;
+      Eigen::VectorXd k;
       std::optional<double> duality_gap;
     };
 
-    Constants
-    block(const FitProblem &problem, const FitOptions &options)
+    Constants block(const FitProblem &problem, const FitOptions &options)
     {
-      return {options.nonnegative ? fit_block_nonnegative(problem) :
-                                    fit_block(problem),
+      return {options.nonnegative ? fit_block_nonnegative(problem)
+                                  : fit_block(problem),
               {}};
     }
 
-    Constants
-    frobenius(const FitProblem &problem, const FitOptions &options)
+    Constants frobenius(const FitProblem &problem, const FitOptions &options)
     {
       const Eigen::MatrixXd &B = problem.gradients;
       const Eigen::MatrixXd &R = problem.stiffness;
-      return {options.nonnegative ? fit_frobenius_nonnegative(B, R) :
-                                    fit_frobenius(B, R),
+      return {options.nonnegative ? fit_frobenius_nonnegative(B, R)
+                                  : fit_frobenius(B, R),
               {}};
     }
 
@@ -42,28 +40,25 @@ namespace springfit
      * The central path's parameter to stop at. A gap there is (2n + n_springs)
      * mu at most, at most 64 mu.
      */
-    double
-    final_mu(const double tolerance)
+    double final_mu(const double tolerance)
     {
       return std::clamp(1e-4 * tolerance, 1e-12, 1e-10);
     }
 
-    Constants
-    spectral(const FitProblem &problem, const FitOptions &options)
+    Constants spectral(const FitProblem &problem, const FitOptions &options)
     {
       const SpectralProblem scaled =
         make_spectral_problem(problem, options.nonnegative);
-      const double           mu = final_mu(options.tolerance);
-      const SpectralSolution solution =
-        options.engine == Engine::ipopt ? solve_by_ipopt(scaled, mu) :
-                                          solve_by_barrier(scaled, mu);
+      const double mu                 = final_mu(options.tolerance);
+      const SpectralSolution solution = options.engine == Engine::ipopt
+                                          ? solve_by_ipopt(scaled, mu)
+                                          : solve_by_barrier(scaled, mu);
       return {scaled.scale * solution.k, duality_gap(scaled, solution)};
     }
 
-    Constants
-    constants(const FitProblem &problem,
-              const Method      method,
-              const FitOptions &options)
+    Constants constants(const FitProblem &problem,
+                        const Method method,
+                        const FitOptions &options)
     {
       switch (method)
         {
@@ -78,8 +73,7 @@ namespace springfit
   } // namespace
 
 
-  const WordTable<Method> &
-  method_words()
+  const WordTable<Method> &method_words()
   {
     static const WordTable<Method> table = {{Method::block, "block"},
                                             {Method::frobenius, "frobenius"},
@@ -88,8 +82,7 @@ namespace springfit
   }
 
 
-  const WordTable<Engine> &
-  engine_words()
+  const WordTable<Engine> &engine_words()
   {
     static const WordTable<Engine> table = {{Engine::ipopt, "ipopt"},
                                             {Engine::barrier, "barrier"}};
@@ -105,8 +98,8 @@ namespace springfit
       throw RunError("The stiffness of a cell is zero or not a number.",
                      "Check the material and the shape of the cell.");
 
-    const Constants       found = constants(problem, method, options);
-    const Eigen::MatrixXd E     = residual(problem, found.k);
+    const Constants found   = constants(problem, method, options);
+    const Eigen::MatrixXd E = residual(problem, found.k);
     return {found.k,
             E.norm() / R.norm(),
             spectral_norm(E) / spectral_norm(R),

@@ -24,24 +24,27 @@ namespace springfit
      * Hands the pivots and their derivatives over to Ipopt: minimise t over
      * x = (k, t) with all pivots >= 0. An evaluation outside the cone returns
      * false, which makes Ipopt shorten the step.
+     *
+     * So does one that cuts a pivot to less than a tenth. Ipopt keeps its
+     * slack variables from the boundary but not the pivots themselves, which
+     * fall faster than their linearisation; iterates that come too close to
+     * the boundary (in one hexahedron of two hundred) never get away again.
      */
     class PivotProgram : public Ipopt::TNLP
     {
     public:
-      explicit PivotProgram(const SpectralProblem &problem)
-        : problem_(problem)
+      explicit PivotProgram(const SpectralProblem &problem) : problem_(problem)
       {}
 
       /** (k, t) and the multipliers of the pivots; empty before the end. */
       Eigen::VectorXd x;
       Eigen::VectorXd y;
 
-      bool
-      get_nlp_info(Index          &n,
-                   Index          &m,
-                   Index          &n_jacobian,
-                   Index          &n_hessian,
-                   IndexStyleEnum &index_style) override
+      bool get_nlp_info(Index &n,
+                        Index &m,
+                        Index &n_jacobian,
+                        Index &n_hessian,
+                        IndexStyleEnum &index_style) override
       {
         n           = problem_.B.cols() + 1;
         m           = 2 * problem_.B.rows();
@@ -51,13 +54,12 @@ namespace springfit
         return true;
       }
 
-      bool
-      get_bounds_info(Index   n,
-                      Number *x_lower,
-                      Number *x_upper,
-                      Index   m,
-                      Number *g_lower,
-                      Number *g_upper) override
+      bool get_bounds_info(Index n,
+                           Number *x_lower,
+                           Number *x_upper,
+                           Index m,
+                           Number *g_lower,
+                           Number *g_upper) override
       {
         const Number k_lower = problem_.nonnegative ? 0. : -unbounded;
         VectorView(x_lower, n).setConstant(k_lower);
@@ -68,16 +70,15 @@ namespace springfit
         return true;
       }
 
-      bool
-      get_starting_point(Index   n,
-                         bool    init_x,
-                         Number *x_start,
-                         bool /*init_z*/,
-                         Number * /*z_lower*/,
-                         Number * /*z_upper*/,
-                         Index /*m*/,
-                         bool /*init_lambda*/,
-                         Number * /*lambda*/) override
+      bool get_starting_point(Index n,
+                              bool init_x,
+                              Number *x_start,
+                              bool /*init_z*/,
+                              Number * /*z_lower*/,
+                              Number * /*z_upper*/,
+                              Index /*m*/,
+                              bool /*init_lambda*/,
+                              Number * /*lambda*/) override
       {
         if (init_x)
           VectorView(x_start, n) = interior_point(problem_);
@@ -91,8 +92,7 @@ namespace springfit
         return true;
       }
 
-      bool
-      eval_grad_f(Index n, const Number *, bool, Number *gradient) override
+      bool eval_grad_f(Index n, const Number *, bool, Number *gradient) override
       {
         VectorView(gradient, n) = Eigen::VectorXd::Unit(n, n - 1);
         return true;
@@ -102,20 +102,21 @@ namespace springfit
       eval_g(Index n, const Number *x_now, bool, Index m, Number *g) override
       {
         const auto d = pivots(problem_, ConstVectorView(x_now, n));
-        if (d)
-          VectorView(g, m) = *d;
-        return d.has_value();
+        if (!d || (current_pivots_.size() > 0 &&
+                   (d->array() < 0.1 * current_pivots_.array()).any()))
+          return false;
+        VectorView(g, m) = *d;
+        return true;
       }
 
-      bool
-      eval_jac_g(Index         n,
-                 const Number *x_now,
-                 bool,
-                 Index m,
-                 Index,
-                 Index  *rows,
-                 Index  *columns,
-                 Number *values) override
+      bool eval_jac_g(Index n,
+                      const Number *x_now,
+                      bool,
+                      Index m,
+                      Index,
+                      Index *rows,
+                      Index *columns,
+                      Number *values) override
       {
         if (values == nullptr)
           {
@@ -127,25 +128,28 @@ namespace springfit
                 }
             return true;
           }
+        const auto d = pivots(problem_, ConstVectorView(x_now, n));
         const auto jacobian =
           pivot_jacobian(problem_, ConstVectorView(x_now, n));
-        if (jacobian)
-          Eigen::Map<Eigen::MatrixXd>(values, m, n) = *jacobian;
-        return jacobian.has_value();
+        if (!d || !jacobian)
+          return false;
+        // Derivatives are asked for at accepted points only.
+        current_pivots_                           = *d;
+        Eigen::Map<Eigen::MatrixXd>(values, m, n) = *jacobian;
+        return true;
       }
 
-      bool
-      eval_h(Index         n,
-             const Number *x_now,
-             bool,
-             Number, // t is linear
-             Index         m,
-             const Number *lambda,
-             bool,
-             Index,
-             Index  *rows,
-             Index  *columns,
-             Number *values) override
+      bool eval_h(Index n,
+                  const Number *x_now,
+                  bool,
+                  Number, // t is linear
+                  Index m,
+                  const Number *lambda,
+                  bool,
+                  Index,
+                  Index *rows,
+                  Index *columns,
+                  Number *values) override
       {
         if (values == nullptr)
           {
@@ -168,18 +172,17 @@ namespace springfit
         return true;
       }
 
-      void
-      finalize_solution(Ipopt::SolverReturn,
-                        Index         n,
-                        const Number *x_end,
-                        const Number *,
-                        const Number *,
-                        Index         m,
-                        const Number *,
-                        const Number *lambda,
-                        Number,
-                        const Ipopt::IpoptData *,
-                        Ipopt::IpoptCalculatedQuantities *) override
+      void finalize_solution(Ipopt::SolverReturn,
+                             Index n,
+                             const Number *x_end,
+                             const Number *,
+                             const Number *,
+                             Index m,
+                             const Number *,
+                             const Number *lambda,
+                             Number,
+                             const Ipopt::IpoptData *,
+                             Ipopt::IpoptCalculatedQuantities *) override
       {
         x = ConstVectorView(x_end, n);
         // Ipopt's Lagrangian is t + lambda^T d: those of d >= 0 are <= 0.
@@ -188,11 +191,11 @@ namespace springfit
 
     private:
       const SpectralProblem &problem_;
+      Eigen::VectorXd current_pivots_;
     };
 
 
-    Ipopt::SmartPtr<Ipopt::IpoptApplication>
-    make_application()
+    Ipopt::SmartPtr<Ipopt::IpoptApplication> make_application()
     {
       // No console, and no options file from the working directory.
       Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
@@ -206,24 +209,27 @@ namespace springfit
       return application;
     }
 
-    void
-    set_path(Ipopt::IpoptApplication &application, const double mu)
+    void set_path(Ipopt::IpoptApplication &application, const double mu)
     {
       auto &options = *application.Options();
       options.SetStringValue("mu_strategy", "monotone");
       options.SetNumericValue("mu_init", 1e-2);
       options.SetNumericValue("mu_target", mu);
-      options.SetNumericValue("tol", 0.1 * mu);
-      options.SetNumericValue("compl_inf_tol", 0.1 * mu);
-      // The gap is judged by the certificate: no early "acceptable" end.
+      // One step of mu at a time keeps the iterates near the central path.
+      options.SetStringValue("mu_allow_fast_monotone_decrease", "no");
+      options.SetNumericValue("compl_inf_tol", mu);
+      // What rounding in the multipliers lets the dual infeasibility reach;
+      // the certificate accounts for it.
+      options.SetNumericValue("tol", 1e-8);
+      // No early end at an "acceptable" point.
       options.SetIntegerValue("acceptable_iter", 0);
       options.SetIntegerValue("max_iter", 200);
     }
   } // namespace
 
 
-  SpectralSolution
-  solve_by_ipopt(const SpectralProblem &problem, const double mu)
+  SpectralSolution solve_by_ipopt(const SpectralProblem &problem,
+                                  const double mu)
   {
     const auto application = make_application();
     set_path(*application, mu);
@@ -235,9 +241,9 @@ namespace springfit
     application->OptimizeTNLP(program);
 
     const auto multiplier =
-      program->x.size() == 0 ?
-        std::optional<Eigen::MatrixXd>() :
-        pivot_multiplier(problem, program->x, program->y);
+      program->x.size() == 0
+        ? std::optional<Eigen::MatrixXd>()
+        : pivot_multiplier(problem, program->x, program->y);
     if (!multiplier)
       throw RunError("Ipopt found no point of a spectral fit.",
                      "Set 'Fit/Engine' to 'barrier'.");
@@ -245,16 +251,15 @@ namespace springfit
   }
 
 
-  std::string
-  derivative_report(const SpectralProblem &problem)
+  std::string derivative_report(const SpectralProblem &problem)
   {
     const auto application = make_application();
-    auto      &options     = *application->Options();
+    auto &options          = *application->Options();
     options.SetStringValue("derivative_test", "second-order");
     options.SetNumericValue("point_perturbation_radius", 0.);
     options.SetIntegerValue("max_iter", 0);
 
-    std::ostringstream                      report;
+    std::ostringstream report;
     Ipopt::SmartPtr<Ipopt::StreamJournal> journal =
       new Ipopt::StreamJournal("report", Ipopt::J_ITERSUMMARY);
     journal->SetOutputStream(&report);

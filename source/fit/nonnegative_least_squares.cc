@@ -12,8 +12,7 @@ namespace springfit
   {
     using Indices = std::vector<Eigen::Index>;
 
-    Indices
-    positions(const std::vector<bool> &is_free)
+    Indices positions(const std::vector<bool> &is_free)
     {
       Indices free;
       for (std::size_t s = 0; s < is_free.size(); ++s)
@@ -23,15 +22,14 @@ namespace springfit
     }
 
     /** The unconstrained minimiser with everything but @p free at zero. */
-    Eigen::VectorXd
-    minimise_over(const Eigen::MatrixXd &G,
-                  const Eigen::VectorXd &g,
-                  const Indices         &free)
+    Eigen::VectorXd minimise_over(const Eigen::MatrixXd &G,
+                                  const Eigen::VectorXd &g,
+                                  const Indices &free)
     {
       const Eigen::MatrixXd G_free = G(free, free);
       const Eigen::VectorXd g_free = g(free);
       const Eigen::VectorXd x_free = G_free.llt().solve(g_free);
-      Eigen::VectorXd       x      = Eigen::VectorXd::Zero(g.size());
+      Eigen::VectorXd x            = Eigen::VectorXd::Zero(g.size());
       x(free)                      = x_free;
       return x;
     }
@@ -40,18 +38,17 @@ namespace springfit
      * From a feasible @p x towards the minimiser over the free variables,
      * releasing on the way those that would become negative.
      */
-    Eigen::VectorXd
-    descend(const Eigen::MatrixXd &G,
-            const Eigen::VectorXd &g,
-            Eigen::VectorXd        x,
-            std::vector<bool>     &is_free)
+    Eigen::VectorXd descend(const Eigen::MatrixXd &G,
+                            const Eigen::VectorXd &g,
+                            Eigen::VectorXd x,
+                            std::vector<bool> &is_free)
     {
       while (true)
         {
-          const Indices         free   = positions(is_free);
+          const Indices free           = positions(is_free);
           const Eigen::VectorXd target = minimise_over(G, g, free);
 
-          double       step    = 1.;
+          double step          = 1.;
           Eigen::Index blocked = -1;
           for (const Eigen::Index s : free)
             if (target[s] <= 0. && x[s] / (x[s] - target[s]) <= step)
@@ -73,15 +70,15 @@ namespace springfit
     }
   } // namespace
 
-  Eigen::VectorXd
-  nonnegative_least_squares(const Eigen::MatrixXd &G, const Eigen::VectorXd &g)
+  Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd &G,
+                                            const Eigen::VectorXd &g)
   {
-    const Eigen::Index n = g.size();
-    const double       rounding =
-      10. * n * std::numeric_limits<double>::epsilon() * g.cwiseAbs().maxCoeff();
+    const Eigen::Index n  = g.size();
+    const double rounding = 10. * n * std::numeric_limits<double>::epsilon() *
+                            g.cwiseAbs().maxCoeff();
 
     std::vector<bool> is_free(n, false);
-    Eigen::VectorXd   x = Eigen::VectorXd::Zero(n);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
     // Each round lowers the objective, so no set of free variables returns;
     // in practice about n rounds suffice.
     for (Eigen::Index round = 0; round < 30 * n + 10; ++round)

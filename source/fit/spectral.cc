@@ -24,9 +24,7 @@ namespace springfit
     };
 
     std::optional<Cone>
-    make_cone(const double           sign,
-              const Eigen::MatrixXd &E,
-              const double           t)
+    make_cone(const double sign, const Eigen::MatrixXd &E, const double t)
     {
       Eigen::MatrixXd A = -sign * E;
       A.diagonal().array() += t;
@@ -43,13 +41,13 @@ namespace springfit
     }
 
     /** A1 and A2 at x = (k, t), or none when either is not definite. */
-    std::vector<Cone>
-    make_cones(const SpectralProblem &problem, const Eigen::VectorXd &x)
+    std::vector<Cone> make_cones(const SpectralProblem &problem,
+                                 const Eigen::VectorXd &x)
     {
-      const Eigen::Index    n_springs = problem.B.cols();
-      const Eigen::MatrixXd E         = residual(problem, x.head(n_springs));
-      const auto            lower     = make_cone(1., E, x[n_springs]);
-      const auto            upper     = make_cone(-1., E, x[n_springs]);
+      const Eigen::Index n_springs = problem.B.cols();
+      const Eigen::MatrixXd E      = residual(problem, x.head(n_springs));
+      const auto lower             = make_cone(1., E, x[n_springs]);
+      const auto upper             = make_cone(-1., E, x[n_springs]);
       if (lower && upper)
         return {*lower, *upper};
       return {};
@@ -61,13 +59,13 @@ namespace springfit
      * W_a = L^-1 (dA/da) L^-T.
      */
     Eigen::MatrixXd
-    cone_hessian(const Cone                              &cone,
-                 const Eigen::MatrixXd                   &B,
+    cone_hessian(const Cone &cone,
+                 const Eigen::MatrixXd &B,
                  const Eigen::Ref<const Eigen::VectorXd> &weights)
     {
-      const Eigen::Index    n         = B.rows();
-      const Eigen::Index    n_springs = B.cols();
-      const Eigen::MatrixXd U         = cone.inverse_factor * B;
+      const Eigen::Index n         = B.rows();
+      const Eigen::Index n_springs = B.cols();
+      const Eigen::MatrixXd U      = cone.inverse_factor * B;
       const Eigen::MatrixXd V =
         cone.inverse_factor * cone.inverse_factor.transpose();
       const Eigen::VectorXd w = -2. * weights.cwiseProduct(cone.d);
@@ -93,8 +91,7 @@ namespace springfit
         {
           const Eigen::RowVectorXd v = V.row(i).head(i);
           hessian.row(n_springs).head(n_springs) +=
-            cone.sign * w[i] *
-            (v * U.topRows(i)).cwiseProduct(U.row(i));
+            cone.sign * w[i] * (v * U.topRows(i)).cwiseProduct(U.row(i));
           hessian(n_springs, n_springs) += w[i] * v.squaredNorm();
         }
       return hessian;
@@ -102,18 +99,17 @@ namespace springfit
   } // namespace
 
 
-  SpectralProblem
-  make_spectral_problem(const FitProblem &problem, const bool nonnegative)
+  SpectralProblem make_spectral_problem(const FitProblem &problem,
+                                        const bool nonnegative)
   {
     const Eigen::MatrixXd Q = deformation_basis(problem.points);
     const Eigen::MatrixXd R = Q.transpose() * problem.stiffness * Q;
-    const double          scale = spectral_norm(R);
+    const double scale      = spectral_norm(R);
     return {R / scale, Q.transpose() * problem.gradients, scale, nonnegative};
   }
 
 
-  Eigen::VectorXd
-  interior_point(const SpectralProblem &problem)
+  Eigen::VectorXd interior_point(const SpectralProblem &problem)
   {
     // t well above the norm, also where the residual vanishes: a path that
     // starts near the boundary is slow to leave it.
@@ -129,17 +125,15 @@ namespace springfit
   }
 
 
-  Eigen::MatrixXd
-  residual(const SpectralProblem                   &problem,
-           const Eigen::Ref<const Eigen::VectorXd> &k)
+  Eigen::MatrixXd residual(const SpectralProblem &problem,
+                           const Eigen::Ref<const Eigen::VectorXd> &k)
   {
     const Eigen::MatrixXd weighted = problem.B * k.asDiagonal();
     return problem.R - weighted * problem.B.transpose();
   }
 
 
-  double
-  spectral_norm(const Eigen::MatrixXd &symmetric)
+  double spectral_norm(const Eigen::MatrixXd &symmetric)
   {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
              symmetric, Eigen::EigenvaluesOnly)
@@ -149,8 +143,8 @@ namespace springfit
   }
 
 
-  std::optional<Eigen::VectorXd>
-  pivots(const SpectralProblem &problem, const Eigen::VectorXd &x)
+  std::optional<Eigen::VectorXd> pivots(const SpectralProblem &problem,
+                                        const Eigen::VectorXd &x)
   {
     const auto cones = make_cones(problem, x);
     if (cones.empty())
@@ -161,36 +155,35 @@ namespace springfit
   }
 
 
-  std::optional<Eigen::MatrixXd>
-  pivot_jacobian(const SpectralProblem &problem, const Eigen::VectorXd &x)
+  std::optional<Eigen::MatrixXd> pivot_jacobian(const SpectralProblem &problem,
+                                                const Eigen::VectorXd &x)
   {
     const Eigen::Index n         = problem.B.rows();
     const Eigen::Index n_springs = problem.B.cols();
-    const auto         cones     = make_cones(problem, x);
+    const auto cones             = make_cones(problem, x);
     if (cones.empty())
       return {};
     Eigen::MatrixXd jacobian(2 * n, n_springs + 1);
     for (Eigen::Index c = 0; c < 2; ++c)
       {
         const Cone &cone = cones[c];
-        auto        rows = jacobian.middleRows(c * n, n);
+        auto rows        = jacobian.middleRows(c * n, n);
         rows.leftCols(n_springs) =
           cone.sign * cone.d.asDiagonal() *
           (cone.inverse_factor * problem.B).cwiseAbs2();
-        rows.col(n_springs) = cone.d.cwiseProduct(
-          cone.inverse_factor.rowwise().squaredNorm());
+        rows.col(n_springs) =
+          cone.d.cwiseProduct(cone.inverse_factor.rowwise().squaredNorm());
       }
     return jacobian;
   }
 
 
-  std::optional<Eigen::MatrixXd>
-  pivot_hessian(const SpectralProblem &problem,
-                const Eigen::VectorXd &x,
-                const Eigen::VectorXd &weights)
+  std::optional<Eigen::MatrixXd> pivot_hessian(const SpectralProblem &problem,
+                                               const Eigen::VectorXd &x,
+                                               const Eigen::VectorXd &weights)
   {
-    const Eigen::Index n     = problem.B.rows();
-    const auto         cones = make_cones(problem, x);
+    const Eigen::Index n = problem.B.rows();
+    const auto cones     = make_cones(problem, x);
     if (cones.empty())
       return {};
     const Eigen::MatrixXd lower =
@@ -205,15 +198,15 @@ namespace springfit
                    const Eigen::VectorXd &x,
                    const Eigen::VectorXd &y)
   {
-    const Eigen::Index n     = problem.B.rows();
-    const auto         cones = make_cones(problem, x);
+    const Eigen::Index n = problem.B.rows();
+    const auto cones     = make_cones(problem, x);
     if (cones.empty())
       return {};
     Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index c = 0; c < 2; ++c)
       {
         // L^-1 = D^(1/2) C^-1
-        const Cone           &cone = cones[c];
+        const Cone &cone = cones[c];
         const Eigen::VectorXd weights =
           y.segment(c * n, n).cwiseProduct(cone.d);
         M += cone.sign * cone.inverse_factor.transpose() *

@@ -3,12 +3,11 @@
 
 namespace springfit
 {
-  Eigen::MatrixXd
-  length_gradients(const Eigen::MatrixXd       &points,
-                   const std::vector<NodePair> &springs)
+  Eigen::MatrixXd length_gradients(const Eigen::MatrixXd &points,
+                                   const std::vector<NodePair> &springs)
   {
     const Eigen::Index dim = points.rows();
-    Eigen::MatrixXd    gradients =
+    Eigen::MatrixXd gradients =
       Eigen::MatrixXd::Zero(points.size(), springs.size());
     for (std::size_t s = 0; s < springs.size(); ++s)
       {
@@ -20,7 +19,7 @@ namespace springfit
                          "Merge the vertices in the mesh.");
         for (Eigen::Index d = 0; d < dim; ++d)
           {
-            const double n = (points(d, j) - points(d, i)) / length;
+            const double n            = (points(d, j) - points(d, i)) / length;
             gradients(dim * i + d, s) = -n;
             gradients(dim * j + d, s) = n;
           }

@@ -5,8 +5,7 @@
 
 namespace springfit
 {
-  unsigned int
-  n_negative(const SpringNetwork &network)
+  unsigned int n_negative(const SpringNetwork &network)
   {
     return n_negative(
       Eigen::Map<const Eigen::VectorXd>(network.stiffness.data(),
@@ -21,10 +20,9 @@ namespace springfit
   {}
 
 
-  void
-  NetworkBuilder::add_springs(const std::vector<unsigned int> &vertices,
-                              const std::vector<NodePair>     &pairs,
-                              const Eigen::Ref<const Eigen::VectorXd> &k)
+  void NetworkBuilder::add_springs(const std::vector<unsigned int> &vertices,
+                                   const std::vector<NodePair> &pairs,
+                                   const Eigen::Ref<const Eigen::VectorXd> &k)
   {
     for (std::size_t s = 0; s < pairs.size(); ++s)
       {
@@ -32,8 +30,8 @@ namespace springfit
           std::minmax(vertices[pairs[s][0]], vertices[pairs[s][1]]);
         // A node has some ten neighbours: searching them one by one is
         // quicker than any map.
-        auto &row   = neighbours_[i];
-        auto  found = std::find_if(row.begin(),
+        auto &row  = neighbours_[i];
+        auto found = std::find_if(row.begin(),
                                   row.end(),
                                   [j = j](const Neighbour &neighbour) {
                                     return neighbour.first == j;
@@ -55,8 +53,7 @@ namespace springfit
   }
 
 
-  SpringNetwork
-  NetworkBuilder::build() const
+  SpringNetwork NetworkBuilder::build() const
   {
     SpringNetwork network;
     network.nodes = nodes_;

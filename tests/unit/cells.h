@@ -27,34 +27,30 @@ namespace springfit::testing
   isotropic(const unsigned int dim, const double lambda, const double mu)
   {
     const unsigned int n = dim * (dim + 1) / 2;
-    Eigen::MatrixXd    D = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd D    = Eigen::MatrixXd::Zero(n, n);
     D.topLeftCorner(dim, dim).setConstant(lambda);
     D.diagonal().head(dim).array() += 2. * mu;
     D.diagonal().tail(n - dim).setConstant(mu);
     return D;
   }
 
-  inline Eigen::MatrixXd
-  plane_stress(const double nu)
+  inline Eigen::MatrixXd plane_stress(const double nu)
   {
     return isotropic(2, nu / (1. - nu * nu), 0.5 / (1. + nu));
   }
 
-  inline Eigen::MatrixXd
-  plane_strain(const double nu)
+  inline Eigen::MatrixXd plane_strain(const double nu)
   {
     return isotropic(2, nu / ((1. + nu) * (1. - 2. * nu)), 0.5 / (1. + nu));
   }
 
-  inline Eigen::MatrixXd
-  solid(const double nu)
+  inline Eigen::MatrixXd solid(const double nu)
   {
     return isotropic(3, nu / ((1. + nu) * (1. - 2. * nu)), 0.5 / (1. + nu));
   }
 
   /** Plane stress in 2-d. */
-  inline Eigen::MatrixXd
-  usual_elasticity(const CellKind kind, const double nu)
+  inline Eigen::MatrixXd usual_elasticity(const CellKind kind, const double nu)
   {
     return dimension(kind) == 2 ? plane_stress(nu) : solid(nu);
   }
@@ -63,7 +59,7 @@ namespace springfit::testing
   inline Eigen::MatrixXd
   strain_matrix(const Eigen::MatrixXd &gradients /* dim x n_nodes */)
   {
-    const int       dim = gradients.rows();
+    const int dim = gradients.rows();
     Eigen::MatrixXd B =
       Eigen::MatrixXd::Zero(dim * (dim + 1) / 2, gradients.size());
     for (int v = 0; v < gradients.cols(); ++v)
@@ -82,27 +78,26 @@ namespace springfit::testing
   }
 
   /** P1 in closed form. */
-  inline Eigen::MatrixXd
-  simplex_stiffness(const Eigen::MatrixXd &points, const Eigen::MatrixXd &D)
+  inline Eigen::MatrixXd simplex_stiffness(const Eigen::MatrixXd &points,
+                                           const Eigen::MatrixXd &D)
   {
-    const int             dim = points.rows();
-    const Eigen::MatrixXd J =
-      points.rightCols(dim).colwise() - points.col(0);
+    const int dim           = points.rows();
+    const Eigen::MatrixXd J = points.rightCols(dim).colwise() - points.col(0);
     Eigen::MatrixXd gradients(dim, dim + 1);
     gradients.rightCols(dim) = J.inverse().transpose();
     gradients.col(0)         = -gradients.rightCols(dim).rowwise().sum();
-    const double measure = std::abs(J.determinant()) / (dim == 2 ? 2. : 6.);
-    const Eigen::MatrixXd B = strain_matrix(gradients);
+    const double measure     = std::abs(J.determinant()) / (dim == 2 ? 2. : 6.);
+    const Eigen::MatrixXd B  = strain_matrix(gradients);
     return measure * B.transpose() * D * B;
   }
 
   /** Q1 by Gauss' quadrature, two points per direction. */
-  inline Eigen::MatrixXd
-  tensor_stiffness(const Eigen::MatrixXd &points, const Eigen::MatrixXd &D)
+  inline Eigen::MatrixXd tensor_stiffness(const Eigen::MatrixXd &points,
+                                          const Eigen::MatrixXd &D)
   {
-    const int       dim = points.rows();
-    const int       n   = 1 << dim;
-    Eigen::MatrixXd R   = Eigen::MatrixXd::Zero(dim * n, dim * n);
+    const int dim     = points.rows();
+    const int n       = 1 << dim;
+    Eigen::MatrixXd R = Eigen::MatrixXd::Zero(dim * n, dim * n);
     for (int q = 0; q < n; ++q)
       {
         Eigen::MatrixXd reference(dim, n); // d N_v / d xi_d
@@ -130,26 +125,24 @@ namespace springfit::testing
     return R;
   }
 
-  inline Eigen::MatrixXd
-  stiffness(const Eigen::MatrixXd &points,
-            const CellKind         kind,
-            const Eigen::MatrixXd &D)
+  inline Eigen::MatrixXd stiffness(const Eigen::MatrixXd &points,
+                                   const CellKind kind,
+                                   const Eigen::MatrixXd &D)
   {
-    return is_simplex(kind) ? simplex_stiffness(points, D) :
-                              tensor_stiffness(points, D);
+    return is_simplex(kind) ? simplex_stiffness(points, D)
+                            : tensor_stiffness(points, D);
   }
 
   /** Equilateral triangle, square, regular tetrahedron, cube; all edges 1. */
-  inline Eigen::MatrixXd
-  regular_cell(const CellKind kind)
+  inline Eigen::MatrixXd regular_cell(const CellKind kind)
   {
-    const int       dim = dimension(kind);
+    const int dim = dimension(kind);
     Eigen::MatrixXd points(dim, n_vertices(kind));
     if (kind == CellKind::triangle)
       points << 0., 1., 0.5, //
         0., 0., std::sqrt(3.) / 2.;
     else if (kind == CellKind::tetrahedron)
-      points << 0., 1., 0.5, 0.5,                      //
+      points << 0., 1., 0.5, 0.5,                       //
         0., 0., std::sqrt(3.) / 2., std::sqrt(3.) / 6., //
         0., 0., 0., std::sqrt(2. / 3.);
     else
@@ -163,24 +156,20 @@ namespace springfit::testing
   class Random
   {
   public:
-    explicit Random(const unsigned int seed)
-      : engine_(seed)
+    explicit Random(const unsigned int seed) : engine_(seed)
     {}
 
-    double
-    operator()()
+    double operator()()
     {
       return engine_() / 4294967296.;
     }
 
-    double
-    operator()(const double low, const double high)
+    double operator()(const double low, const double high)
     {
       return low + (high - low) * (*this)();
     }
 
-    Eigen::MatrixXd
-    matrix(const int n_rows, const int n_columns)
+    Eigen::MatrixXd matrix(const int n_rows, const int n_columns)
     {
       Eigen::MatrixXd m(n_rows, n_columns);
       for (int j = 0; j < n_columns; ++j)
@@ -190,12 +179,10 @@ namespace springfit::testing
     }
 
     /** A proper rotation. */
-    Eigen::MatrixXd
-    rotation(const int dim)
+    Eigen::MatrixXd rotation(const int dim)
     {
       Eigen::MatrixXd Q =
-        Eigen::HouseholderQR<Eigen::MatrixXd>(matrix(dim, dim))
-          .householderQ();
+        Eigen::HouseholderQR<Eigen::MatrixXd>(matrix(dim, dim)).householderQ();
       if (Q.determinant() < 0.)
         Q.col(0) *= -1.;
       return Q;
@@ -206,28 +193,22 @@ namespace springfit::testing
   };
 
   /** Every coordinate moved by up to 20 % of the edge. */
-  inline Eigen::MatrixXd
-  random_cell(const CellKind kind, Random &random)
+  inline Eigen::MatrixXd random_cell(const CellKind kind, Random &random)
   {
     const Eigen::MatrixXd regular = regular_cell(kind);
     return regular + 0.2 * random.matrix(regular.rows(), regular.cols());
   }
 
-  inline FitProblem
-  fit_problem(const Eigen::MatrixXd &points,
-              const CellKind         kind,
-              const double           nu)
+  inline FitProblem fit_problem(const Eigen::MatrixXd &points,
+                                const CellKind kind,
+                                const double nu)
   {
-    return make_fit_problem(points,
-                            kind,
-                            stiffness(points,
-                                      kind,
-                                      usual_elasticity(kind, nu)));
+    return make_fit_problem(
+      points, kind, stiffness(points, kind, usual_elasticity(kind, nu)));
   }
 
   /** A random cell with nu in 0 .. 0.45. */
-  inline FitProblem
-  random_problem(const CellKind kind, Random &random)
+  inline FitProblem random_problem(const CellKind kind, Random &random)
   {
     const Eigen::MatrixXd points = random_cell(kind, random);
     return fit_problem(points, kind, random(0., 0.45));

@@ -3,14 +3,14 @@
 //
 //   certified_gaps [cells per kind = 1000] [engine = ipopt]
 
-#include "cells.h"
-
 #include <springfit/fit/fit.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+
+#include "cells.h"
 
 using namespace springfit;
 
@@ -20,18 +20,19 @@ namespace
 
   struct Figures
   {
-    double       worst          = 0.;
-    double       mean           = 0.;
-    double       worst_to_t     = 0.; // relative to t* where that is not tiny
-    unsigned int n_failures     = 0;
+    double worst                 = 0.;
+    double mean                  = 0.;
+    double worst_to_t            = 0.; // relative to t* where that is not tiny
+    unsigned int n_failures      = 0;
     unsigned int n_with_negative = 0;
   };
 
-  Figures
-  run(const CellKind kind, const FitOptions &options, const unsigned int n_cells)
+  Figures run(const CellKind kind,
+              const FitOptions &options,
+              const unsigned int n_cells)
   {
     testing::Random random(2010);
-    Figures         figures;
+    Figures figures;
     for (unsigned int cell = 0; cell < n_cells; ++cell)
       {
         const auto result =
@@ -54,7 +55,7 @@ int
 main(int argc, char *argv[])
 {
   const unsigned int n_cells = argc > 1 ? std::atoi(argv[1]) : 1000;
-  FitOptions         options;
+  FitOptions options;
   if (argc > 2)
     options.engine = value_of(engine_words(), argv[2], "engine");
 

@@ -10,8 +10,7 @@ namespace springfit
   // areas and volumes.
 
   /** k (q - q0)^2 / 2, in J. */
-  inline double
-  spring_energy(const double k, const double q, const double q0)
+  inline double spring_energy(const double k, const double q, const double q0)
   {
     return 0.5 * k * (q - q0) * (q - q0);
   }
@@ -22,9 +21,9 @@ namespace springfit
    */
   template <typename Vector>
   typename Vector::PlainObject
-  spring_force(const double                     k,
-               const double                     q,
-               const double                     q0,
+  spring_force(const double k,
+               const double q,
+               const double q0,
                const Eigen::MatrixBase<Vector> &gradient)
   {
     return -k * (q - q0) * gradient;
@@ -36,9 +35,9 @@ namespace springfit
    */
   template <typename Vector, typename Matrix>
   typename Matrix::PlainObject
-  spring_tangent(const double                     k,
-                 const double                     q,
-                 const double                     q0,
+  spring_tangent(const double k,
+                 const double q,
+                 const double q0,
                  const Eigen::MatrixBase<Vector> &gradient,
                  const Eigen::MatrixBase<Matrix> &hessian)
   {

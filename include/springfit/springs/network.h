@@ -32,8 +32,7 @@ namespace springfit
     std::vector<double> mass;
   };
 
-  unsigned int
-  n_negative(const SpringNetwork &network);
+  unsigned int n_negative(const SpringNetwork &network);
 
 
   /**
@@ -51,25 +50,22 @@ namespace springfit
      * @param pairs the cell's springs, as positions in @p vertices
      * @param k the stiffness of each, N/m
      */
-    void
-    add_springs(const std::vector<unsigned int>           &vertices,
-                const std::vector<NodePair>               &pairs,
-                const Eigen::Ref<const Eigen::VectorXd>   &k);
+    void add_springs(const std::vector<unsigned int> &vertices,
+                     const std::vector<NodePair> &pairs,
+                     const Eigen::Ref<const Eigen::VectorXd> &k);
 
     /** @param masses one per vertex, kg */
-    void
-    add_masses(const std::vector<unsigned int>         &vertices,
-               const Eigen::Ref<const Eigen::VectorXd> &masses);
+    void add_masses(const std::vector<unsigned int> &vertices,
+                    const Eigen::Ref<const Eigen::VectorXd> &masses);
 
-    SpringNetwork
-    build() const;
+    SpringNetwork build() const;
 
   private:
     /** The other node and the stiffness. */
     using Neighbour = std::pair<unsigned int, double>;
 
-    Eigen::MatrixXd                     nodes_;
-    std::vector<double>                 mass_;
+    Eigen::MatrixXd nodes_;
+    std::vector<double> mass_;
     std::vector<std::vector<Neighbour>> neighbours_;
   };
 } // namespace springfit
