@@ -225,6 +225,7 @@ namespace springfit
     GmshCells cells = read_gmsh_cells(name, request.dim);
     scale_to_metres(cells.mesh, request.scale);
     check_coordinates(cells.mesh);
+    check_no_duplicate_cells(cells.mesh);
     if (request.dim == 2)
       put_into_plane(cells.mesh);
     read_materials(cells);

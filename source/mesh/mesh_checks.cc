@@ -1,4 +1,5 @@
 #include <springfit/core/error.h>
+#include <springfit/mesh/connected_parts.h>
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/mesh_checks.h>
 
@@ -6,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <sstream>
 #include <string>
 
@@ -120,14 +120,6 @@ namespace springfit
                          describe_cell(mesh, first - orientations.begin()) +
                          ' ' + text + " (" + count(n, mesh) + ").",
                        mend);
-    }
-
-    unsigned int find_root(std::vector<unsigned int> &parents,
-                           unsigned int vertex)
-    {
-      while (parents[vertex] != vertex)
-        vertex = parents[vertex] = parents[parents[vertex]];
-      return vertex;
     }
   } // namespace
 
@@ -306,25 +298,22 @@ namespace springfit
 
   std::vector<unsigned int> connected_parts(const MeshDescription &mesh)
   {
-    std::vector<unsigned int> parents(mesh.vertices.size());
-    std::iota(parents.begin(), parents.end(), 0);
+    ConnectedParts parts(mesh.vertices.size());
     const int n_corners = n_vertices(mesh.cell_kind);
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       for (int i = 1; i < n_corners; ++i)
-        {
-          const auto a            = find_root(parents, mesh.cell(c)[0]);
-          const auto b            = find_root(parents, mesh.cell(c)[i]);
-          parents[std::max(a, b)] = std::min(a, b);
-        }
+        parts.connect(mesh.cell(c)[0], mesh.cell(c)[i]);
 
-    std::map<unsigned int, unsigned int> n_cells_of_root;
+    const auto part_of_vertex = parts.part_of_nodes();
+    std::vector<unsigned int> n_cells;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
-      ++n_cells_of_root[find_root(parents, mesh.cell(c)[0])];
-
-    std::vector<unsigned int> result;
-    for (const auto &[root, n_cells] : n_cells_of_root)
-      result.push_back(n_cells);
-    return result;
+      {
+        const unsigned int part = part_of_vertex[mesh.cell(c)[0]];
+        if (part >= n_cells.size())
+          n_cells.resize(part + 1, 0);
+        ++n_cells[part];
+      }
+    return n_cells;
   }
 
 

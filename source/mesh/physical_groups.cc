@@ -77,21 +77,6 @@ namespace springfit
              (first == "$MeshFormat" && version.substr(0, 1) == "2");
     }
 
-    std::map<unsigned int, std::string> physical_names(const int dim)
-    {
-      gmsh::vectorpair groups;
-      gmsh::model::getPhysicalGroups(groups, dim);
-      std::map<unsigned int, std::string> names;
-      for (const auto &[group_dim, tag] : groups)
-        {
-          std::string name;
-          gmsh::model::getPhysicalName(dim, tag, name);
-          if (!name.empty())
-            names[std::abs(tag)] = name;
-        }
-      return names;
-    }
-
     std::string word_of_dimension(const int dim)
     {
       return dim == 1 ? "curve" : dim == 2 ? "surface" : "volume";
@@ -182,14 +167,19 @@ namespace springfit
         }
     }
 
-    // Names of ids that the mesh has.
+    // gmsh gives a reversed group the negative of its number.
     std::map<unsigned int, std::string>
     names_of_ids(const int dim, const std::set<unsigned int> &ids)
     {
       std::map<unsigned int, std::string> names;
-      for (const auto &[id, name] : physical_names(dim))
-        if (ids.count(id) > 0)
-          names[id] = name;
+      for (const unsigned int id : ids)
+        for (const int tag : {-static_cast<int>(id), static_cast<int>(id)})
+          {
+            std::string name;
+            gmsh::model::getPhysicalName(dim, tag, name);
+            if (!name.empty())
+              names[id] = name;
+          }
       return names;
     }
   } // namespace

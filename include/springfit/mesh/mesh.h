@@ -22,7 +22,7 @@ namespace springfit
   template <int dim>
   struct Mesh
   {
-    CellKind                   cell_kind;
+    CellKind cell_kind;
     dealii::Triangulation<dim> triangulation;
 
     /** Names of boundary ids and material ids, where there are any. */

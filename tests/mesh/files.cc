@@ -1,0 +1,238 @@
+// Meshes and geometries from files.
+
+#include <springfit/mesh/boundaries.h>
+#include <springfit/mesh/gmsh_model.h>
+#include <springfit/mesh/materials.h>
+
+#include <gmsh.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "messages.h"
+#include "scene.h"
+
+using namespace springfit;
+
+namespace
+{
+  template <int dim>
+  std::unique_ptr<Mesh<dim>> read(const std::string &file,
+                                  const std::string &more = "Scale = 1")
+  {
+    return make_mesh<dim>("Object = file; File = " + file + "; " + more,
+                          MESH_DATA);
+  }
+
+  void read_bad(const std::string &file, const std::vector<std::string> &words)
+  {
+    expect_error(
+      [&]() { make_mesh<2>("Object = file; File = " + file, BAD_MESHES); },
+      words);
+  }
+
+  bool has_warning(const std::vector<std::string> &warnings,
+                   const std::string &word)
+  {
+    for (const std::string &warning : warnings)
+      if (warning.find(word) != std::string::npos)
+        return true;
+    return false;
+  }
+
+  void expect_plate(const Mesh<2> &mesh)
+  {
+    EXPECT_EQ(mesh.triangulation.n_vertices(), 9u);
+    EXPECT_EQ(mesh.triangulation.n_active_cells(), 4u);
+    EXPECT_NEAR(measure_of(mesh), 4e-4, 1e-16);
+
+    const auto table = boundary_table(mesh);
+    ASSERT_EQ(table.size(), 3u);
+    EXPECT_EQ(table[0].id, 0u);
+    EXPECT_EQ(table[0].n_faces, 4u);
+    EXPECT_EQ(table[1].id, 5u);
+    EXPECT_EQ(table[1].name, "left");
+    EXPECT_NEAR(table[1].area, 0.02, 1e-15);
+    EXPECT_EQ(table[2].id, 9u);
+    EXPECT_EQ(table[2].name, "right");
+
+    const auto materials = material_table(mesh);
+    ASSERT_EQ(materials.size(), 2u);
+    EXPECT_EQ(materials[0].id, 3u);
+    EXPECT_EQ(materials[0].n_cells, 2u);
+    EXPECT_EQ(materials[1].id, 12u);
+    EXPECT_EQ(find_material(mesh, "stiff part", "E"), 12u);
+    EXPECT_EQ(find_material(mesh, "3", "E"), 3u);
+    expect_error([&]() { find_material(mesh, "stif part", "Material/E"); },
+                 {"Material/E", "Did you mean 'stiff part'?", "3 'soft part'"});
+    EXPECT_TRUE(has_warning(mesh.warnings, "4 of 8 boundary edges"));
+  }
+} // namespace
+
+
+TEST(File, keeps_ids_names_and_gaps)
+{
+  expect_plate(*read<2>("plate_v2.msh"));
+  expect_plate(*read<2>("plate_v41.msh"));
+}
+
+TEST(File, has_the_groups_of_each_element)
+{
+  expect_plate(*read<2>("groups_by_element.msh"));
+}
+
+TEST(File, is_scaled)
+{
+  const auto mesh = read<2>("plate_v2.msh", "Scale = 0.001");
+  EXPECT_NEAR(measure_of(*mesh), 4e-10, 1e-22);
+}
+
+TEST(File, in_two_parts_gives_a_warning)
+{
+  EXPECT_TRUE(has_warning(read<2>("two_parts.msh")->warnings,
+                          "2 parts without a common vertex, of 2, 2 cells"));
+}
+
+TEST(File, that_is_clockwise_is_reordered)
+{
+  const auto mesh =
+    make_mesh<2>("Object = file; File = clockwise.msh", BAD_MESHES);
+  EXPECT_NEAR(measure_of(*mesh), 4e-4, 1e-16);
+  EXPECT_TRUE(has_warning(mesh->warnings, "clockwise"));
+}
+
+TEST(File, with_a_plane_geometry_is_meshed)
+{
+  const double hole = M_PI * 16e-6;
+  for (const std::string cells : {"triangles", "quadrilaterals"})
+    {
+      const auto mesh =
+        read<2>("plate.geo",
+                "Scale = 0.001; Cell size = 0.001; Cells = " + cells);
+      EXPECT_EQ(word_of(cell_kind_words(), mesh->cell_kind), cells);
+      EXPECT_NEAR(measure_of(*mesh), 6e-4 - hole, 0.02 * hole);
+      const auto left = find_boundaries(*mesh, {"left"}, "E");
+      EXPECT_EQ(left, (std::set<dealii::types::boundary_id>{4}));
+      EXPECT_NEAR(boundary_table(*mesh)[1].area, 0.02, 1e-12);
+      EXPECT_EQ(material_table(*mesh)[0].name, "steel");
+      const double n = mesh->triangulation.n_active_cells();
+      EXPECT_NEAR(n, cells == "triangles" ? 1300 : 600, 0.3 * n);
+    }
+}
+
+TEST(File, with_a_solid_geometry_is_meshed_but_not_with_hexahedra)
+{
+  const auto mesh =
+    read<3>("rod.geo", "Scale = 0.01; Cell size = 0.004; Cells = tetrahedra");
+  EXPECT_NEAR(measure_of(*mesh), 3e-6, 1e-15);
+  // without physical surfaces, gmsh's own numbers tell the sides apart
+  EXPECT_EQ(boundary_table(*mesh).size(), 6u);
+  EXPECT_EQ(boundary_table(*mesh)[0].id, 1u);
+  EXPECT_TRUE(has_warning(mesh->warnings, "serve as ids"));
+
+  expect_error([]() { read<3>("rod.geo", "Cells = hexahedra"); },
+               {"Geometry/Cells", "hexahedra", "tetrahedra"});
+  expect_error(
+    []() { read<3>("rod.geo", "Cells = tetrahedra; Cell size = 1e-4"); },
+    {"Geometry/Cell size", "cells"});
+}
+
+TEST(File, of_every_format_is_read)
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() / "springfit_mesh_formats";
+  std::filesystem::create_directories(folder);
+  const std::vector<std::string> formats = {"msh", "vtk", "unv", "mesh", "bdf"};
+  {
+    const GmshSession session;
+    gmsh::model::occ::addBox(0, 0, 0, 1, 2, 3);
+    gmsh::model::occ::synchronize();
+    set_gmsh_cell_size(1.);
+    gmsh::model::addPhysicalGroup(2, {1}, 17);
+    gmsh::model::addPhysicalGroup(2, {2, 3, 4, 5, 6}, 19);
+    gmsh::model::addPhysicalGroup(3, {1}, 5);
+    mesh_gmsh_model("test", 3);
+    for (const double version : {1., 2.2, 3., 4., 4.1})
+      {
+        gmsh::option::setNumber("Mesh.MshFileVersion", version);
+        gmsh::write(folder / ("box" + std::to_string(version) + ".msh"));
+      }
+    gmsh::option::setNumber("Mesh.Binary", 1);
+    for (const double version : {2.2, 4.1})
+      {
+        gmsh::option::setNumber("Mesh.MshFileVersion", version);
+        gmsh::write(folder / ("binary" + std::to_string(version) + ".msh"));
+      }
+    gmsh::option::setNumber("Mesh.Binary", 0);
+    for (const std::string format : {"vtk", "unv", "mesh", "bdf", "inp"})
+      gmsh::write(folder / ("box." + format));
+  }
+
+  unsigned int n_cells = 0, n_files = 0;
+  for (const auto &file : std::filesystem::directory_iterator(folder))
+    {
+      const std::string name = file.path().filename();
+      SCOPED_TRACE(name);
+      if (file.path().extension() == ".inp")
+        {
+          expect_error(
+            [&]() { make_mesh<3>("Object = file; File = " + name, folder); },
+            {"Abaqus", "Convert it"});
+          continue;
+        }
+      const auto mesh = make_mesh<3>("Object = file; File = " + name, folder);
+      EXPECT_NEAR(measure_of(*mesh), 6., 1e-5);
+      EXPECT_EQ(mesh->cell_kind, CellKind::tetrahedron);
+      if (n_cells == 0)
+        n_cells = mesh->triangulation.n_active_cells();
+      EXPECT_EQ(mesh->triangulation.n_active_cells(), n_cells);
+      if (name.find("msh") != std::string::npos || name == "box.unv")
+        {
+          const auto table = boundary_table(*mesh);
+          ASSERT_EQ(table.size(), 2u);
+          EXPECT_EQ(table[0].id, 17u);
+          EXPECT_NEAR(table[0].area, 6., 1e-6);
+          EXPECT_EQ(table[1].id, 19u);
+          EXPECT_EQ(material_table(*mesh)[0].id, 5u);
+        }
+      ++n_files;
+    }
+  EXPECT_EQ(n_files, 11u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(File, that_is_bad_is_refused)
+{
+  read_bad("absent.msh", {"Geometry/File", "absent.msh", "does not exist"});
+  read_bad(".", {"Geometry/File", "is a directory"});
+  read_bad("no_mesh.msh", {"no_mesh.msh", "cannot be read by gmsh", "formats"});
+  read_bad("empty.msh", {"no cells of dimension 2", "no elements at all"});
+  read_bad(
+    "curve_without_surface.msh",
+    {"4 of dimension 1", "physical curve", "no physical surface", "-save_all"});
+  read_bad("mixed.msh", {"mixed cell types", "3 of type 'Quad", "2 of type"});
+  read_bad("second_order.msh", {"order 2", "gmsh -order 1"});
+  read_bad("inverted.msh",
+           {"quadrilateral 6", "x = 0.015", "inverted", "1 of 4"});
+  read_bad("folded.msh", {"folded", "quadrilateral"});
+  read_bad("flat_cell.msh", {"triangle 2", "no area"});
+  read_bad("duplicate_cell.msh", {"quadrilateral 9", "duplicate"});
+  read_bad("not_a_number.msh", {"5. vertex", "finite"});
+  read_bad("not_plane.msh", {"not plane", "z = constant"});
+  read_bad("three_cells_on_an_edge.msh", {"3 cells share"});
+  read_bad("inverted_tetrahedra.msh",
+           {"no cells of dimension 2", "2 of dimension 3"});
+}
+
+TEST(File, that_is_bad_in_space_is_refused)
+{
+  const auto read_solid = [](const std::string &file) {
+    make_mesh<3>("Object = file; File = " + file, BAD_MESHES);
+  };
+  expect_error([&]() { read_solid("prism.msh"); },
+               {"does not know", "Prism", "tetrahedra"});
+  expect_error([&]() { read_solid("inverted_tetrahedra.msh"); },
+               {"tetrahedron 2", "inverted", "volume"});
+  expect_error([&]() { read_solid("good.msh"); },
+               {"no cells of dimension 3", "4 of dimension 2"});
+}
