@@ -4,7 +4,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <string>
-#include <utility>
+#include <tuple>
 
 namespace springfit
 {
@@ -13,25 +13,41 @@ namespace springfit
     enum class Outcome : int
     {
       done,
+      entry_error,
       input_error,
       run_error
     };
 
-    std::pair<int, std::string>
+    /** An outcome, the message, and the entry that it is about. */
+    using Report = std::tuple<int, std::string, std::string>;
+
+    Report
+    report(const Outcome      outcome,
+           const std::string &message = "",
+           const std::string &entry   = "")
+    {
+      return {static_cast<int>(outcome), message, entry};
+    }
+
+    Report
     attempt(const std::function<void()> &work)
     {
       try
         {
           work();
-          return {static_cast<int>(Outcome::done), ""};
+          return report(Outcome::done);
+        }
+      catch (const EntryError &error)
+        {
+          return report(Outcome::entry_error, error.what(), error.entry);
         }
       catch (const InputError &error)
         {
-          return {static_cast<int>(Outcome::input_error), error.what()};
+          return report(Outcome::input_error, error.what());
         }
       catch (const std::exception &error)
         {
-          return {static_cast<int>(Outcome::run_error), error.what()};
+          return report(Outcome::run_error, error.what());
         }
     }
   } // namespace
@@ -45,13 +61,18 @@ namespace springfit
 
     const auto outcomes =
       dealii::Utilities::MPI::all_gather(communicator, attempt(work));
-    for (const auto &[outcome, message] : outcomes)
-      {
-        if (outcome == static_cast<int>(Outcome::input_error))
-          throw InputError(message);
-        if (outcome == static_cast<int>(Outcome::run_error))
-          throw RunError(message);
-      }
+    for (const auto &[outcome, message, entry] : outcomes)
+      switch (static_cast<Outcome>(outcome))
+        {
+          case Outcome::done:
+            break;
+          case Outcome::entry_error:
+            throw EntryError(entry, message);
+          case Outcome::input_error:
+            throw InputError(message);
+          case Outcome::run_error:
+            throw RunError(message);
+        }
   }
 
   void

@@ -8,7 +8,6 @@
 
 #include <deal.II/fe/fe_system.h>
 
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/vector.h>
 
 namespace springfit

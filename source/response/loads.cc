@@ -122,13 +122,24 @@ namespace springfit
         }
     }
 
+    template <int dim>
+    std::vector<unsigned int>
+    part_of_nodes(const dealii::Triangulation<dim> &triangulation)
+    {
+      ConnectedParts parts(triangulation.n_vertices());
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          parts.connect(cell->vertex_index(0), cell->vertex_index(v));
+      return parts.part_of_nodes();
+    }
+
     /** Refuse supports that leave a part of the body a rigid motion. */
     template <int dim>
     void
     check_supports(const Mesh<dim> &mesh, const std::vector<bool> &fixed)
     {
       const auto &vertices = mesh.triangulation.get_vertices();
-      const auto  part_of  = connected_parts(mesh.triangulation);
+      const auto  part_of  = part_of_nodes(mesh.triangulation);
       const auto  n_parts =
         1 + *std::max_element(part_of.begin(), part_of.end());
 

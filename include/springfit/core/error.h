@@ -41,6 +41,12 @@ namespace springfit
       , entry(entry)
     {}
 
+    /** An error whose message is already complete. */
+    EntryError(const std::string &entry, const std::string &message)
+      : InputError(message)
+      , entry(entry)
+    {}
+
     const std::string entry;
   };
 

@@ -1,0 +1,35 @@
+#ifndef springfit_comparison_delivered_constants_h
+#define springfit_comparison_delivered_constants_h
+
+#include <springfit/comparison/homogenised_tensor.h>
+#include <springfit/mesh/mesh.h>
+#include <springfit/reference/element.h>
+
+#include <Eigen/Core>
+
+namespace springfit
+{
+  /**
+   * What a tensile test would say of a model: Young's modulus is the axial
+   * force over the cross section's area and the mean axial strain, Poisson's
+   * ratio the negative ratio of the mean lateral and the mean axial strain.
+   *
+   * Strains and the area are means over the middle third of the object along
+   * @p axis (a unit vector); a cell counts by the part of its axial extent
+   * that lies in the middle third.
+   *
+   * @param displacement m, dim x n_nodes
+   * @param forces       N, dim x n_nodes, those that pull
+   * @param thickness    m in 2-d, 1 in 3-d
+   */
+  template <int dim>
+  YoungPoisson
+  delivered_constants(const Mesh<dim>       &mesh,
+                      const Element<dim>    &element,
+                      const Eigen::VectorXd &axis,
+                      const Eigen::MatrixXd &displacement,
+                      const Eigen::MatrixXd &forces,
+                      double                 thickness);
+} // namespace springfit
+
+#endif

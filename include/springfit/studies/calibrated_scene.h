@@ -1,0 +1,42 @@
+#ifndef springfit_studies_calibrated_scene_h
+#define springfit_studies_calibrated_scene_h
+
+#include <springfit/core/session.h>
+#include <springfit/studies/scene.h>
+
+#include <memory>
+#include <vector>
+
+namespace springfit
+{
+  /** What every study starts from: a mesh, its materials and its springs. */
+  template <int dim>
+  struct CalibratedScene
+  {
+    std::unique_ptr<Mesh<dim>>     mesh;
+    Element<dim>                   element;
+    MaterialTable                  materials;
+    double                         volume; // m^3, in 2-d with the thickness
+    std::vector<CalibratedNetwork> networks;
+  };
+
+  /**
+   * Make the mesh and say what it is, before anything takes time.
+   * The networks are still to come.
+   */
+  template <int dim>
+  CalibratedScene<dim>
+  make_scene(const Scene<dim> &scene, Session &session);
+
+  /**
+   * Fit the springs, say what the fits reached and what the springs can and
+   * cannot deliver, and write fit.csv, nodes.csv and springs_<fit>.csv.
+   */
+  template <int dim>
+  void
+  calibrate_scene(const Scene<dim>     &scene,
+                  CalibratedScene<dim> &calibrated,
+                  Session              &session);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef springfit_studies_scene_h
+#define springfit_studies_scene_h
+
+#include <springfit/calibration/calibration.h>
+#include <springfit/mesh/geometry.h>
+#include <springfit/reference/material.h>
+#include <springfit/response/loads.h>
+#include <springfit/response/statics.h>
+
+#include <filesystem>
+
+namespace springfit
+{
+  /**
+   * Everything that a parameter file describes: the steps of a study in the
+   * order of the data flow, each owning a section of the file.
+   */
+  template <int dim>
+  struct Scene
+  {
+    /** The parameter file's folder: where relative mesh names start. */
+    std::filesystem::path folder;
+
+    Geometry<dim>    geometry;
+    Material<dim>    material;
+    Calibration<dim> calibration;
+    Loads<dim>       loads;
+    Statics<dim>     statics;
+  };
+} // namespace springfit
+
+#endif

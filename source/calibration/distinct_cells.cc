@@ -1,0 +1,51 @@
+#include <springfit/calibration/congruence.h>
+#include <springfit/calibration/distinct_cells.h>
+#include <springfit/reference/cell_matrices.h>
+
+#include <map>
+#include <unordered_map>
+
+namespace springfit
+{
+  template <int dim>
+  DistinctCells
+  find_distinct_cells(const Mesh<dim> &mesh)
+  {
+    DistinctCells               cells;
+    std::vector<CanonicalShape> shapes; // of the representatives
+    std::map<dealii::types::material_id,
+             std::unordered_map<ShapeKey, unsigned int>>
+      known;
+
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        const auto shape =
+          canonical_shape(cell_points<dim>(cell), mesh.cell_kind);
+        const auto [entry, is_new] = known[cell->material_id()].try_emplace(
+          shape.key, cells.distinct.size());
+        const unsigned int distinct = entry->second;
+        if (is_new)
+          {
+            cells.distinct.push_back(
+              {cell->active_cell_index(), cell->material_id(), 0});
+            shapes.push_back(shape);
+          }
+        ++cells.distinct[distinct].multiplicity;
+
+        CellCopy copy;
+        copy.distinct = distinct;
+        copy.scale    = shape.size / shapes[distinct].size;
+        copy.nodes.resize(shape.permutation.size());
+        for (unsigned int v = 0; v < shape.permutation.size(); ++v)
+          copy.nodes[shapes[distinct].permutation[v]] =
+            cell->vertex_index(shape.permutation[v]);
+        cells.copies.push_back(copy);
+      }
+    return cells;
+  }
+
+  template DistinctCells
+  find_distinct_cells<2>(const Mesh<2> &);
+  template DistinctCells
+  find_distinct_cells<3>(const Mesh<3> &);
+} // namespace springfit

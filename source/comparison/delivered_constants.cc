@@ -1,0 +1,111 @@
+#include <springfit/comparison/delivered_constants.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+
+namespace springfit
+{
+  namespace
+  {
+    struct Interval
+    {
+      double lowest, highest;
+
+      double
+      length() const
+      {
+        return highest - lowest;
+      }
+    };
+
+    template <typename Vertices>
+    Interval
+    extent_along(const Eigen::VectorXd &axis, const Vertices &vertices)
+    {
+      Interval extent{1e300, -1e300};
+      for (const auto &vertex : vertices)
+        {
+          double position = 0.;
+          for (Eigen::Index d = 0; d < axis.size(); ++d)
+            position += axis[d] * vertex[d];
+          extent.lowest  = std::min(extent.lowest, position);
+          extent.highest = std::max(extent.highest, position);
+        }
+      return extent;
+    }
+
+    /** The part of @p part that lies in @p whole. */
+    double
+    share_within(const Interval &part, const Interval &whole)
+    {
+      const double common = std::min(part.highest, whole.highest) -
+                            std::max(part.lowest, whole.lowest);
+      return std::max(0., common) / part.length();
+    }
+  } // namespace
+
+  template <int dim>
+  YoungPoisson
+  delivered_constants(const Mesh<dim>       &mesh,
+                      const Element<dim>    &element,
+                      const Eigen::VectorXd &axis,
+                      const Eigen::MatrixXd &displacement,
+                      const Eigen::MatrixXd &forces,
+                      const double           thickness)
+  {
+    const Interval object =
+      extent_along(axis, mesh.triangulation.get_vertices());
+    const Interval middle = {object.lowest + object.length() / 3.,
+                             object.highest - object.length() / 3.};
+
+    dealii::FEValues<dim> values(*element.mapping,
+                                 *element.scalar,
+                                 element.quadrature,
+                                 dealii::update_gradients |
+                                   dealii::update_JxW_values);
+    double          volume   = 0.;
+    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(dim, dim);
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        std::vector<dealii::Point<dim>> vertices;
+        for (const unsigned int v : cell->vertex_indices())
+          vertices.push_back(cell->vertex(v));
+        const double share = share_within(extent_along(axis, vertices), middle);
+        if (share == 0.)
+          continue;
+        values.reinit(cell);
+        for (const unsigned int q : values.quadrature_point_indices())
+          {
+            const double weight = share * values.JxW(q);
+            volume += weight;
+            for (const unsigned int a : values.dof_indices())
+              for (int d = 0; d < dim; ++d)
+                gradient.col(d) += weight * values.shape_grad(a, q)[d] *
+                                   displacement.col(cell->vertex_index(a));
+          }
+      }
+    gradient /= volume;
+
+    const double axial   = axis.dot(gradient * axis);
+    const double lateral = (gradient.trace() - axial) / (dim - 1);
+    const double force   = axis.dot(forces.rowwise().sum());
+    const double area    = thickness * volume / middle.length();
+    return {force / area / axial, -lateral / axial};
+  }
+
+  template YoungPoisson
+  delivered_constants<2>(const Mesh<2> &,
+                         const Element<2> &,
+                         const Eigen::VectorXd &,
+                         const Eigen::MatrixXd &,
+                         const Eigen::MatrixXd &,
+                         double);
+  template YoungPoisson
+  delivered_constants<3>(const Mesh<3> &,
+                         const Element<3> &,
+                         const Eigen::VectorXd &,
+                         const Eigen::MatrixXd &,
+                         const Eigen::MatrixXd &,
+                         double);
+} // namespace springfit

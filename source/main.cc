@@ -1,0 +1,250 @@
+#include <springfit/core/atomic_file.h>
+#include <springfit/core/collective.h>
+#include <springfit/core/error.h>
+#include <springfit/core/parameters.h>
+#include <springfit/core/session.h>
+#include <springfit/core/version.h>
+#include <springfit/core/words.h>
+#include <springfit/studies/study.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/parameter_acceptor.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+  using namespace springfit;
+
+  /** Exit codes. */
+  enum class Status : int
+  {
+    done        = 0,
+    run_failed  = 1,
+    wrong_input = 2
+  };
+
+  struct CommandLine
+  {
+    ParameterSource source;
+    bool            validate_only = false;
+    std::string     defaults; // "2" or "3", or empty
+  };
+
+  /** The entries that belong to no section. */
+  struct TopLevel
+  {
+    unsigned int dimension;
+    std::string  study_word       = "compare";
+    std::string  output_directory = "output/springfit";
+
+    void
+    declare(dealii::ParameterHandler &prm)
+    {
+      prm.add_parameter("Dimension",
+                        dimension,
+                        "Dimension of space, 2 or 3 (no unit).");
+      prm.add_parameter("Study",
+                        study_word,
+                        "What to do: " + join(words_of(study_words()), " or ") +
+                          " (no unit).");
+      prm.add_parameter("Output directory",
+                        output_directory,
+                        "Folder for the results, made if need be (no unit); a "
+                        "relative one starts in the working directory.");
+    }
+  };
+
+  /** @throws EntryError when it is neither 2 nor 3. */
+  unsigned int
+  parse_dimension(const std::string &text)
+  {
+    if (text != "2" && text != "3")
+      throw EntryError("Dimension",
+                       text.empty() ? "it is not given." :
+                                      "'" + text + "' is neither 2 nor 3.",
+                       "Write \"set Dimension = 2\" or \"set Dimension = 3\" "
+                       "at the top of the parameter file.");
+    return text == "2" ? 2 : 3;
+  }
+
+  void
+  write_record(const ParameterSource &source, Session &session)
+  {
+    run_on_root(session.communicator(), [&]() {
+      const auto &folder = session.output_directory();
+      write_file(folder / "original.prm", [&](std::ostream &file) {
+        file << std::ifstream(source.file).rdbuf();
+      });
+      write_file(folder / "used.prm", [&](std::ostream &file) {
+        dealii::ParameterAcceptor::prm.print_parameters(
+          file,
+          dealii::ParameterHandler::PRM |
+            dealii::ParameterHandler::KeepDeclarationOrder);
+      });
+    });
+    session.print(version() + ", " + source.file.string());
+    session.log(library_versions());
+    for (const auto &text : source.overrides)
+      session.log("--set \"" + text + "\"");
+  }
+
+  template <int dim>
+  void
+  run(const CommandLine &command_line)
+  {
+    const MPI_Comm communicator = MPI_COMM_WORLD;
+    auto          &prm          = dealii::ParameterAcceptor::prm;
+    TopLevel       top_level{dim};
+    top_level.declare(prm);
+    Scene<dim> scene;
+    scene.folder = command_line.source.file.parent_path();
+    dealii::ParameterAcceptor::declare_all_parameters();
+
+    if (!command_line.defaults.empty())
+      {
+        prm.print_parameters(std::cout,
+                             dealii::ParameterHandler::PRM |
+                               dealii::ParameterHandler::KeepDeclarationOrder);
+        return;
+      }
+
+    read_parameters(prm, command_line.source);
+    dealii::ParameterAcceptor::parse_all_parameters();
+    const auto study = value_of(study_words(), top_level.study_word, "Study");
+    run_collectively(communicator,
+                     [&]() { scene.geometry.check_files(scene.folder); });
+    if (command_line.validate_only)
+      {
+        if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+          std::cout << command_line.source.file.string() << " is valid."
+                    << std::endl;
+        return;
+      }
+
+    Session session(communicator, top_level.output_directory);
+    try
+      {
+        write_record(command_line.source, session);
+        run_study(study, scene, session);
+        session.finish();
+      }
+    catch (const std::exception &error)
+      {
+        session.log(std::string("The run ended with an error. ") +
+                    error.what());
+        throw;
+      }
+  }
+
+  /** Say what went wrong, once, and how the program ends. */
+  Status
+  report(const std::string &message, const Status status)
+  {
+    if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+      std::cerr << "Error: " << message << std::endl;
+    return status;
+  }
+
+  Status
+  run(const CommandLine &command_line)
+  {
+    try
+      {
+        std::string dimension = command_line.defaults;
+        if (dimension.empty())
+          {
+            check_parameter_file(command_line.source.file);
+            dimension = read_top_level_entry(command_line.source, "Dimension");
+          }
+        parse_dimension(dimension) == 2 ? run<2>(command_line) :
+                                          run<3>(command_line);
+        return Status::done;
+      }
+    catch (const EntryError &error)
+      {
+        return report(locate(error, command_line.source), Status::wrong_input);
+      }
+    catch (const InputError &error)
+      {
+        return report(error.what(), Status::wrong_input);
+      }
+    catch (const std::bad_alloc &)
+      {
+        return report("The memory of this machine does not suffice. Choose a "
+                      "larger 'Cell size'.",
+                      Status::run_failed);
+      }
+    catch (const RunError &error)
+      {
+        return report(error.what(), Status::run_failed);
+      }
+    catch (const std::exception &error)
+      {
+        return report(std::string("The run failed unexpectedly; please report "
+                                  "this with the parameter file. ") +
+                        error.what(),
+                      Status::run_failed);
+      }
+  }
+} // namespace
+
+int
+main(int argc, char *argv[])
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  const bool is_root =
+    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+
+  CommandLine command_line;
+  std::string file;
+  CLI::App    app("springfit turns a mesh into springs that come as close as "
+                  "they can to its finite elements, and measures how close.\n"
+                  "Example: springfit parameters/cube.prm");
+  app.add_option("file", file, "parameter file (.prm)");
+  app
+    .add_option("--set",
+                command_line.source.overrides,
+                "\"Section/Entry=value\" takes precedence over the file; may "
+                "be repeated")
+    ->type_name("TEXT")
+    ->allow_extra_args(false);
+  app.add_flag("--validate",
+               command_line.validate_only,
+               "check the parameters and stop");
+  app.add_option("--defaults",
+                 command_line.defaults,
+                 "print a commented parameter file for 2 or 3 dimensions");
+  app.set_version_flag("--version", version() + '\n' + library_versions());
+
+  try
+    {
+      app.parse(argc, argv);
+    }
+  catch (const CLI::Success &success)
+    {
+      return is_root ? app.exit(success) : 0;
+    }
+  catch (const CLI::ParseError &error)
+    {
+      return static_cast<int>(
+        report(std::string(error.what()) +
+                 ". 'springfit --help' lists the options; try springfit "
+                 "parameters/cube.prm.",
+               Status::wrong_input));
+    }
+
+  if (file.empty() && command_line.defaults.empty())
+    return static_cast<int>(
+      report("No parameter file is given. Try springfit parameters/cube.prm, "
+             "or springfit --help.",
+             Status::wrong_input));
+  command_line.source.file = file;
+  return static_cast<int>(run(command_line));
+}

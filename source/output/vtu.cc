@@ -1,0 +1,156 @@
+#include <springfit/core/atomic_file.h>
+#include <springfit/output/vtu.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <tuple>
+
+namespace springfit
+{
+  namespace
+  {
+    using Interpretation =
+      dealii::DataComponentInterpretation::DataComponentInterpretation;
+    using VectorRange =
+      std::tuple<unsigned int, unsigned int, std::string, Interpretation>;
+
+    /** Names of all components, and which of them are vectors. */
+    struct Components
+    {
+      std::vector<std::string> names;
+      std::vector<VectorRange> vectors;
+    };
+
+    Components
+    describe(const std::vector<NodalField> &fields, const int dim)
+    {
+      Components components;
+      for (const auto &field : fields)
+        {
+          const unsigned int first = components.names.size();
+          const unsigned int n     = field.values.rows();
+          components.names.insert(components.names.end(), n, field.name);
+          if (n == static_cast<unsigned int>(dim))
+            components.vectors.emplace_back(
+              first,
+              first + n - 1,
+              field.name,
+              dealii::DataComponentInterpretation::
+                component_is_part_of_vector);
+        }
+      return components;
+    }
+
+    /** Copy a node's values, component by component, to a patch's vertex. */
+    template <typename PatchType>
+    void
+    fill(PatchType                     &patch,
+         const unsigned int             vertex,
+         const std::vector<NodalField> &fields,
+         const unsigned int             node)
+    {
+      unsigned int component = 0;
+      for (const auto &field : fields)
+        for (Eigen::Index c = 0; c < field.values.rows(); ++c)
+          patch.data(component++, vertex) = field.values(c, node);
+    }
+
+    template <int dim, int spacedim>
+    void
+    write(const std::filesystem::path                                &path,
+          const std::vector<dealii::DataOutBase::Patch<dim, spacedim>> &patches,
+          const Components &components)
+    {
+      write_file(path, [&](std::ostream &file) {
+        dealii::DataOutBase::write_vtu(patches,
+                                       components.names,
+                                       components.vectors,
+                                       dealii::DataOutBase::VtkFlags(),
+                                       file);
+      });
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  write_mesh_vtu(const std::filesystem::path   &path,
+                 const Mesh<dim>               &mesh,
+                 const std::vector<NodalField> &fields)
+  {
+    const auto components = describe(fields, dim);
+    std::vector<dealii::DataOutBase::Patch<dim, dim>> patches;
+    patches.reserve(mesh.triangulation.n_active_cells());
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        dealii::DataOutBase::Patch<dim, dim> patch;
+        patch.reference_cell = cell->reference_cell();
+        patch.patch_index    = patches.size();
+        patch.data.reinit(components.names.size(), cell->n_vertices());
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            patch.vertices[v] = cell->vertex(v);
+            fill(patch, v, fields, cell->vertex_index(v));
+          }
+        patches.push_back(patch);
+      }
+    write(path, patches, components);
+  }
+
+  template <int dim>
+  void
+  write_springs_vtu(const std::filesystem::path   &path,
+                    const SpringNetwork           &network,
+                    const std::vector<NodalField> &fields)
+  {
+    auto components = describe(fields, dim);
+    components.names.insert(components.names.end(), {"k", "rest_length"});
+    const unsigned int n = components.names.size();
+
+    std::vector<dealii::DataOutBase::Patch<1, dim>> patches;
+    patches.reserve(network.stiffness.size());
+    for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+      {
+        dealii::DataOutBase::Patch<1, dim> patch;
+        patch.reference_cell = dealii::ReferenceCells::Line;
+        patch.patch_index    = patches.size();
+        patch.data.reinit(n, 2);
+        const unsigned int ends[2] = {network.i[s], network.j[s]};
+        for (unsigned int v = 0; v < 2; ++v)
+          {
+            for (int d = 0; d < dim; ++d)
+              patch.vertices[v][d] = network.nodes(d, ends[v]);
+            fill(patch, v, fields, ends[v]);
+            patch.data(n - 2, v) = network.stiffness[s];
+            patch.data(n - 1, v) = network.rest_length[s];
+          }
+        patches.push_back(patch);
+      }
+    write(path, patches, components);
+  }
+
+  void
+  write_pvd(const std::filesystem::path                        &path,
+            const std::vector<std::pair<double, std::string>> &files)
+  {
+    write_file(path, [&](std::ostream &file) {
+      dealii::DataOutBase::write_pvd_record(file, files);
+    });
+  }
+
+  template void
+  write_mesh_vtu<2>(const std::filesystem::path &,
+                    const Mesh<2> &,
+                    const std::vector<NodalField> &);
+  template void
+  write_mesh_vtu<3>(const std::filesystem::path &,
+                    const Mesh<3> &,
+                    const std::vector<NodalField> &);
+  template void
+  write_springs_vtu<2>(const std::filesystem::path &,
+                       const SpringNetwork &,
+                       const std::vector<NodalField> &);
+  template void
+  write_springs_vtu<3>(const std::filesystem::path &,
+                       const SpringNetwork &,
+                       const std::vector<NodalField> &);
+} // namespace springfit

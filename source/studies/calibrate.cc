@@ -1,0 +1,32 @@
+#include <springfit/core/collective.h>
+#include <springfit/output/vtu.h>
+#include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/study.h>
+
+namespace springfit
+{
+  template <int dim>
+  void
+  calibrate(const Scene<dim> &scene, Session &session)
+  {
+    auto calibrated = make_scene(scene, session);
+    calibrate_scene(scene, calibrated, session);
+
+    run_on_root(session.communicator(), [&]() {
+      for (const auto &network : calibrated.networks)
+        write_springs_vtu<dim>(session.output_directory() /
+                                 ("springs_" + network.fit + ".vtu"),
+                               network.network,
+                               {});
+    });
+    session.print(
+      "\nResults are in " + session.output_directory().string() +
+      ": springs_<fit>.csv and nodes.csv are the model; open springs_" +
+      calibrated.networks.front().fit + ".vtu in ParaView and colour it by k.");
+  }
+
+  template void
+  calibrate<2>(const Scene<2> &, Session &);
+  template void
+  calibrate<3>(const Scene<3> &, Session &);
+} // namespace springfit

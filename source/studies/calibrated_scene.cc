@@ -1,0 +1,188 @@
+#include <springfit/comparison/homogenised_tensor.h>
+#include <springfit/core/collective.h>
+#include <springfit/mesh/boundaries.h>
+#include <springfit/output/tables.h>
+#include <springfit/reference/cell_matrices.h>
+#include <springfit/studies/calibrated_scene.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace springfit
+{
+  namespace
+  {
+    template <typename... Arguments>
+    std::string
+    formatted(const char *format, Arguments... arguments)
+    {
+      char text[512];
+      std::snprintf(text, sizeof(text), format, arguments...);
+      return text;
+    }
+
+    template <int dim>
+    std::vector<FitRow>
+    fit_rows(const CalibratedNetwork &network, const CellKind kind)
+    {
+      std::vector<FitRow> rows;
+      for (const auto &cell : network.cells)
+        rows.push_back({network.fit,
+                        singular(kind) + ' ' + std::to_string(cell.cell),
+                        cell.multiplicity,
+                        cell.result.frobenius_residual,
+                        cell.result.spectral_residual,
+                        cell.result.duality_gap,
+                        cell.result.n_negative,
+                        cell.seconds});
+      return rows;
+    }
+
+    /** One line: what a fit reached over all distinct cells. */
+    std::string
+    fit_summary(const CalibratedNetwork &network)
+    {
+      double spectral = 0., frobenius = 0., gap = 0.;
+      bool   certified = false;
+      for (const auto &cell : network.cells)
+        {
+          frobenius = std::max(frobenius, cell.result.frobenius_residual);
+          spectral  = std::max(spectral, cell.result.spectral_residual);
+          if (cell.result.duality_gap)
+            {
+              certified = true;
+              gap       = std::max(gap, *cell.result.duality_gap);
+            }
+        }
+      return formatted("%-12s %8zu %10zu %9u %11.2f %11.2f %12s %9.3f",
+                       network.fit.c_str(),
+                       network.cells.size(),
+                       network.network.stiffness.size(),
+                       n_negative(network.network),
+                       100. * frobenius,
+                       100. * spectral,
+                       certified ? formatted("%.1e", gap).c_str() : "-",
+                       network.seconds);
+    }
+
+    template <int dim>
+    YoungPoisson
+    constants_of(const IsotropicPart &part, const PlaneState state)
+    {
+      return dim == 2 && state == PlaneState::stress ?
+               young_poisson_plane_stress(part.lambda, part.mu) :
+               young_poisson(part.lambda, part.mu);
+    }
+
+    /** Say what a network is as a material, and what it cannot be. */
+    template <int dim>
+    void
+    report_homogenised(const Scene<dim>           &scene,
+                       const CalibratedScene<dim> &calibrated,
+                       Session                    &session)
+    {
+      session.print("\nThe networks as materials (affine deformation; E Pa, "
+                    "anisotropy relative to C):");
+      YoungPoisson constants{0., 0.};
+      for (const auto &network : calibrated.networks)
+        {
+          const auto part = isotropic_part(
+            homogenised_tensor(network.network, calibrated.volume));
+          constants = constants_of<dim>(part, scene.material.plane_state());
+          session.print(formatted("  %-12s E %.6g, nu %.4f, anisotropy %.1f %%",
+                                  network.fit.c_str(),
+                                  constants.youngs_modulus,
+                                  constants.poissons_ratio,
+                                  100. * part.anisotropy));
+        }
+
+      // Cauchy's relations: lambda = mu, whatever the constants.
+      for (const auto &[id, material] : calibrated.materials)
+        if (const double wanted = material.constants.poissons_ratio;
+            std::abs(wanted - constants.poissons_ratio) > 0.01)
+          {
+            session.warn(formatted(
+              "Springs alone cannot honour Poisson's ratio %.4g: a network of "
+              "springs delivers %.4g in this setting, whatever their "
+              "stiffness.",
+              wanted,
+              constants.poissons_ratio));
+            break;
+          }
+    }
+  } // namespace
+
+  template <int dim>
+  CalibratedScene<dim>
+  make_scene(const Scene<dim> &scene, Session &session)
+  {
+    dealii::TimerOutput::Scope scope(session.timer(), "Mesh");
+    CalibratedScene<dim>       calibrated;
+    calibrated.mesh =
+      scene.geometry.create(session.communicator(), scene.folder);
+    const auto &mesh     = *calibrated.mesh;
+    calibrated.element   = make_element<dim>(mesh.cell_kind);
+    calibrated.materials = scene.material.resolve(mesh);
+
+    CellMatrices<dim> cell_matrices(calibrated.element);
+    calibrated.volume = 0.;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      calibrated.volume +=
+        cell_matrices.volume(cell) *
+        calibrated.materials.at(cell->material_id()).thickness;
+
+    session.print(formatted("Mesh: %u nodes, %u %s, %.6g m^3\n",
+                            mesh.triangulation.n_vertices(),
+                            mesh.triangulation.n_active_cells(),
+                            word_of(cell_kind_words(), mesh.cell_kind).c_str(),
+                            calibrated.volume));
+    session.print(format_boundary_table<dim>(boundary_table(mesh)));
+    for (const auto &warning : mesh.warnings)
+      session.warn(warning);
+    return calibrated;
+  }
+
+  template <int dim>
+  void
+  calibrate_scene(const Scene<dim>     &scene,
+                  CalibratedScene<dim> &calibrated,
+                  Session              &session)
+  {
+    calibrated.networks = scene.calibration.calibrate(*calibrated.mesh,
+                                                      calibrated.element,
+                                                      calibrated.materials,
+                                                      session);
+    session.print(
+      "fit          distinct    springs  negative  |E|_F max%  |E|_2 max%  "
+      "duality gap    time s");
+    std::vector<FitRow> rows;
+    for (const auto &network : calibrated.networks)
+      {
+        session.print(fit_summary(network));
+        for (const auto &row :
+             fit_rows<dim>(network, calibrated.mesh->cell_kind))
+          rows.push_back(row);
+      }
+    report_homogenised(scene, calibrated, session);
+
+    dealii::TimerOutput::Scope scope(session.timer(), "Output");
+    run_on_root(session.communicator(), [&]() {
+      const auto &folder = session.output_directory();
+      write_fits(folder, rows);
+      write_nodes(folder, calibrated.networks.front().network);
+      for (const auto &network : calibrated.networks)
+        write_springs(folder, network.fit, network.network);
+    });
+  }
+
+  template CalibratedScene<2>
+  make_scene<2>(const Scene<2> &, Session &);
+  template CalibratedScene<3>
+  make_scene<3>(const Scene<3> &, Session &);
+  template void
+  calibrate_scene<2>(const Scene<2> &, CalibratedScene<2> &, Session &);
+  template void
+  calibrate_scene<3>(const Scene<3> &, CalibratedScene<3> &, Session &);
+} // namespace springfit
