@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iostream>
 #include <sstream>
+#include <streambuf>
 #include <string>
 
 namespace springfit
@@ -23,10 +25,30 @@ namespace springfit
       return "Mesh file '" + request.file.string() + "'";
     }
 
+    // OpenCASCADE, which reads .step for gmsh, writes its errors to the screen.
+    class QuietScreen
+    {
+    public:
+      QuietScreen() : buffer_(std::cout.rdbuf(nullptr))
+      {}
+
+      ~QuietScreen()
+      {
+        std::cout.rdbuf(buffer_);
+      }
+
+      QuietScreen(const QuietScreen &)            = delete;
+      QuietScreen &operator=(const QuietScreen &) = delete;
+
+    private:
+      std::streambuf *const buffer_;
+    };
+
     // What gmsh does, with its complaint as the message when it fails.
     template <typename Action>
     void run_gmsh(const std::string &name, const Action &action)
     {
+      const QuietScreen quiet;
       std::string complaint;
       try
         {
@@ -41,17 +63,16 @@ namespace springfit
         {
           complaint = error.what();
         }
-      throw InputError(name + " cannot be read by gmsh (" + complaint + ").",
-                       "Give a mesh in one of the formats .msh (1 to 4), "
-                       ".vtk, .unv, .mesh, .bdf, or a geometry in .geo, "
-                       ".step, .brep.");
+      throw InputError(
+        name + " cannot be read by gmsh (" + complaint + ").",
+        "Mend it, or give a mesh in one of the formats .msh (1 to 4), "
+        ".vtk, .unv, .mesh, .bdf, or a geometry in .geo, "
+        ".step, .brep.");
     }
 
-    bool is_unmeshed_geometry(const int dim)
+    bool is_unmeshed_geometry()
     {
-      gmsh::vectorpair entities;
-      gmsh::model::getEntities(entities, dim);
-      return !entities.empty() &&
+      return gmsh::model::getDimension() > 0 &&
              n_gmsh_elements(1) + n_gmsh_elements(2) + n_gmsh_elements(3) == 0;
     }
 
@@ -70,6 +91,12 @@ namespace springfit
 
     void mesh_geometry(const ObjectRequest &request)
     {
+      const int dim = gmsh::model::getDimension();
+      if (dim != request.dim)
+        throw InputError(name_of(request) + " is a geometry of dimension " +
+                           std::to_string(dim) + ", the scene has dimension " +
+                           std::to_string(request.dim) + ".",
+                         "Set Dimension to that of the geometry.");
       if (request.cell_kind == CellKind::hexahedron)
         throw EntryError("Geometry/Cells",
                          "gmsh cannot fill the geometry of '" +
@@ -130,6 +157,10 @@ namespace springfit
                            body +
                            " with all cells and save the mesh again (or use "
                            "'gmsh -save_all').");
+      if (n_gmsh_elements(1) + n_gmsh_elements(2) + n_gmsh_elements(3) == 0)
+        throw InputError(found,
+                         "Give a complete mesh or geometry in a format that "
+                         "gmsh reads.");
       throw InputError(found,
                        "Set Dimension to that of the mesh, or give another "
                        "mesh.");
@@ -181,6 +212,7 @@ namespace springfit
                        "it is not a positive number.",
                        "Give the length of a unit of the file in m, as 0.001 "
                        "for a file in mm.");
+    check_lengths(request.cell_size, "Geometry/Cell size");
   }
 
 
@@ -218,7 +250,7 @@ namespace springfit
     const GmshSession gmsh_session;
     run_gmsh(name, [&]() { open_with_groups(request.file, request.dim); });
 
-    if (is_unmeshed_geometry(request.dim))
+    if (is_unmeshed_geometry())
       mesh_geometry(request);
     check_dimension(name, request.dim);
 

@@ -16,18 +16,18 @@ namespace springfit
       text << value;
       return text.str();
     }
-
-    void check_lengths(const std::vector<double> &lengths,
-                       const std::string &entry)
-    {
-      for (const double length : lengths)
-        if (!(std::isfinite(length) && length > 0.))
-          throw EntryError(entry,
-                           "'" + text_of(length) +
-                             "' is not a positive length.",
-                           "Give lengths in m that are greater than 0.");
-    }
   } // namespace
+
+
+  void check_lengths(const std::vector<double> &lengths,
+                     const std::string &entry)
+  {
+    for (const double length : lengths)
+      if (!(std::isfinite(length) && length > 0.))
+        throw EntryError(entry,
+                         "'" + text_of(length) + "' is not a positive length.",
+                         "Give lengths in m that are greater than 0.");
+  }
 
 
   void check_sizes(const ObjectRequest &request)

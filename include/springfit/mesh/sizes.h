@@ -3,8 +3,15 @@
 
 #include <springfit/mesh/objects.h>
 
+#include <string>
+#include <vector>
+
 namespace springfit
 {
+  /** @throws EntryError when a length is not a finite positive number. */
+  void check_lengths(const std::vector<double> &lengths,
+                     const std::string &entry);
+
   /**
    * Check the entries Size and Cell size of an object that is made here:
    * finite positive numbers, as many as they should be, and at most 50 million
