@@ -87,19 +87,19 @@ namespace springfit
                                      *element_.scalar,
                                      element_.face_quadrature,
                                      dealii::update_values |
-                                       dealii::update_quadrature_points |
                                        dealii::update_JxW_values);
     Eigen::MatrixXd           forces = Eigen::MatrixXd::Zero(dim, n_nodes);
     for (const auto &[cell, number] : faces_)
       {
         values.reinit(cell, number);
-        for (const unsigned int q : values.quadrature_point_indices())
+        for (const unsigned int a : values.dof_indices())
           {
-            const auto t = traction(values.quadrature_point(q)) * values.JxW(q);
-            for (const unsigned int a : values.dof_indices())
-              for (int d = 0; d < dim; ++d)
-                forces(d, cell->vertex_index(a)) +=
-                  values.shape_value(a, q) * t[d];
+            double share = 0.; // vanishes for vertices off the face
+            for (const unsigned int q : values.quadrature_point_indices())
+              share += values.shape_value(a, q) * values.JxW(q);
+            const auto t = traction(cell->vertex(a));
+            for (int d = 0; d < dim; ++d)
+              forces(d, cell->vertex_index(a)) += share * t[d];
           }
       }
     return forces;

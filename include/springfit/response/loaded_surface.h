@@ -50,8 +50,11 @@ namespace springfit
     nodes(unsigned int n_nodes) const;
 
     /**
-     * The consistent nodal forces, integral of N_a t, in N (N/m in 2-d: not
-     * yet multiplied by a thickness), dim x n_nodes.
+     * The nodal forces of a traction, the traction at node a times the integral
+     * of N_a, in N (N/m in 2-d: not yet multiplied by a thickness), dim x
+     * n_nodes. They are the consistent forces where the traction is uniform;
+     * where it varies, its product with N_a is integrated by the nodal rule
+     * that gives the lumped masses too.
      */
     Eigen::MatrixXd
     forces(const Traction &traction, unsigned int n_nodes) const;
