@@ -55,6 +55,10 @@ namespace springfit
           action();
           return;
         }
+      catch (const InputError &)
+        {
+          throw;
+        }
       catch (const std::string &error)
         {
           complaint = error;
@@ -66,7 +70,7 @@ namespace springfit
       throw InputError(
         name + " cannot be read by gmsh (" + complaint + ").",
         "Mend it, or give a mesh in one of the formats .msh (1 to 4), "
-        ".vtk, .unv, .mesh, .bdf, or a geometry in .geo, "
+        ".vtk, .inp, .unv, .mesh, .bdf, or a geometry in .geo, "
         ".step, .brep.");
     }
 
@@ -235,11 +239,6 @@ namespace springfit
       throw EntryError("Geometry/File",
                        name + " cannot be read.",
                        "Mend its permissions.");
-    if (file.extension() == ".inp")
-      throw EntryError("Geometry/File",
-                       name + " is an Abaqus file, which gmsh writes but does "
-                              "not read.",
-                       "Convert it to .msh, .unv or .vtk.");
   }
 
 

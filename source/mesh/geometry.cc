@@ -51,7 +51,7 @@ namespace springfit
                   "mesh file has its own. In m.");
     add_parameter("File",
                   file_,
-                  "Mesh file (.msh 1 to 4, .vtk, .unv, .mesh, .bdf) or "
+                  "Mesh file (.msh 1 to 4, .vtk, .inp, .unv, .mesh, .bdf) or "
                   "geometry file (.geo, .step, .brep), relative to the folder "
                   "of this parameter file. No unit.");
     add_parameter("Scale",

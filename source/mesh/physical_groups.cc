@@ -1,3 +1,4 @@
+#include <springfit/mesh/abaqus_file.h>
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/physical_groups.h>
 
@@ -187,6 +188,9 @@ namespace springfit
 
   void open_with_groups(const std::filesystem::path &file, const int dim)
   {
+    if (file.extension() == ".inp")
+      return open_abaqus_file(file);
+
     gmsh::open(file.string());
     if (has_ambiguous_groups(dim) && states_groups_by_element(file))
       {

@@ -178,13 +178,6 @@ TEST(File, of_every_format_is_read)
     {
       const std::string name = file.path().filename();
       SCOPED_TRACE(name);
-      if (file.path().extension() == ".inp")
-        {
-          expect_error(
-            [&]() { make_mesh<3>("Object = file; File = " + name, folder); },
-            {"Abaqus", "Convert it"});
-          continue;
-        }
       const auto mesh = make_mesh<3>("Object = file; File = " + name, folder);
       EXPECT_NEAR(measure_of(*mesh), 6., 1e-5);
       EXPECT_EQ(mesh->cell_kind, CellKind::tetrahedron);
@@ -202,8 +195,26 @@ TEST(File, of_every_format_is_read)
         }
       ++n_files;
     }
-  EXPECT_EQ(n_files, 11u);
+  EXPECT_EQ(n_files, 12u);
   std::filesystem::remove_all(folder);
+}
+
+TEST(File, of_abaqus_has_its_element_sets)
+{
+  const auto mesh = read<2>("plate.inp");
+  EXPECT_EQ(mesh->cell_kind, CellKind::quadrilateral);
+  EXPECT_NEAR(measure_of(*mesh), 4e-4, 1e-16);
+  EXPECT_EQ(find_boundaries(*mesh, {"left", "right"}, "E").size(), 2u);
+  EXPECT_NEAR(boundary_table(*mesh)[1].area, 0.02, 1e-15);
+  const auto materials = material_table(*mesh);
+  ASSERT_EQ(materials.size(), 2u);
+  EXPECT_EQ(materials[0].name, "soft part");
+  EXPECT_EQ(materials[1].name, "stiff part");
+  EXPECT_EQ(materials[1].n_cells, 1u);
+
+  read_bad("unknown_type.inp", {"line 7", "'XYZ9' is not known"});
+  read_bad("unknown_node.inp", {"element 1", "node 5"});
+  read_bad("no_number.inp", {"line 3", "cannot be read"});
 }
 
 TEST(File, that_is_bad_is_refused)
