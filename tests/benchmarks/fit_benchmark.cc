@@ -49,10 +49,10 @@ namespace
   void
   time_fit(benchmark::State &state, const CellKind kind, const Fit &fit_cell)
   {
-    testing::Random random(2010);
+    oracle::Random random(2010);
     std::vector<FitProblem> problems;
     for (unsigned int cell = 0; cell < n_cells; ++cell)
-      problems.push_back(testing::random_problem(kind, random));
+      problems.push_back(oracle::random_problem(kind, random));
 
     // Batches of all cells: the time shown is the average of one.
     while (state.KeepRunningBatch(n_cells))
@@ -64,7 +64,7 @@ namespace
 int
 main(int argc, char *argv[])
 {
-  for (const CellKind kind : testing::all_kinds)
+  for (const CellKind kind : oracle::all_kinds)
     for (const auto &[name, fit_cell] : fits)
       benchmark::RegisterBenchmark((name + "/" + singular(kind)).c_str(),
                                    time_fit,

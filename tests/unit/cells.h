@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace springfit::testing
+namespace springfit::oracle
 {
   inline const std::vector<CellKind> all_kinds = {CellKind::triangle,
                                                   CellKind::quadrilateral,
@@ -213,6 +213,6 @@ namespace springfit::testing
     const Eigen::MatrixXd points = random_cell(kind, random);
     return fit_problem(points, kind, random(0., 0.45));
   }
-} // namespace springfit::testing
+} // namespace springfit::oracle
 
 #endif

@@ -1,0 +1,151 @@
+#include <springfit/core/atomic_file.h>
+#include <springfit/core/cell_kind.h>
+#include <springfit/core/words.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace springfit;
+
+namespace
+{
+  using Words = std::vector<std::string>;
+
+  TEST(Words, NearestIsByEditDistanceWithoutCase)
+  {
+    const Words known = {"frobenius", "spectral", "block"};
+    EXPECT_EQ(nearest_word("frobenus", known), "frobenius");
+    EXPECT_EQ(nearest_word("Spectrl", known), "spectral");
+    EXPECT_EQ(nearest_word("BLOCK", known), "block");
+    EXPECT_EQ(nearest_word("lbock", known), "block");
+  }
+
+  TEST(Words, NothingIsNearToAStrangeWord)
+  {
+    EXPECT_EQ(nearest_word("elephant", {"frobenius", "block"}), "");
+    EXPECT_EQ(nearest_word("x", {"ab"}), "");
+    EXPECT_EQ(nearest_word("block", {}), "");
+  }
+
+  TEST(Words, DidYouMean)
+  {
+    EXPECT_EQ(did_you_mean("blok", {"block"}), " Did you mean 'block'?");
+    EXPECT_EQ(did_you_mean("elephant", {"block"}), "");
+  }
+
+  TEST(Words, Join)
+  {
+    EXPECT_EQ(join({"a", "b", "c"}), "a, b, c");
+    EXPECT_EQ(join({"a", "b"}, " | "), "a | b");
+    EXPECT_EQ(join({}), "");
+  }
+
+  TEST(Words, SplitAtCommas)
+  {
+    EXPECT_EQ(split_at_commas("a, b c ,\td"), (Words{"a", "b c", "d"}));
+    EXPECT_EQ(split_at_commas("a,,b,"), (Words{"a", "b"}));
+    EXPECT_EQ(split_at_commas("  "), Words{});
+    EXPECT_EQ(split_at_commas(""), Words{});
+  }
+
+  TEST(Words, TablesGoBothWays)
+  {
+    for (const auto &[kind, word] : cell_kind_words())
+      {
+        EXPECT_EQ(word_of(cell_kind_words(), kind), word);
+        EXPECT_EQ(value_of(cell_kind_words(), word, "Geometry/Cells"), kind);
+      }
+  }
+
+  TEST(Words, AnUnknownWordNamesEntryAndNearest)
+  {
+    try
+      {
+        value_of(cell_kind_words(), "tetrahedrons", "Geometry/Cells");
+        FAIL() << "accepted";
+      }
+    catch (const EntryError &error)
+      {
+        const std::string text = error.what();
+        EXPECT_EQ(error.entry, "Geometry/Cells");
+        EXPECT_NE(text.find("'tetrahedrons'"), std::string::npos);
+        EXPECT_NE(text.find("Did you mean 'tetrahedra'?"), std::string::npos);
+        EXPECT_NE(text.find("quadrilaterals"), std::string::npos);
+      }
+  }
+
+  TEST(CellKind, Counts)
+  {
+    EXPECT_EQ(dimension(CellKind::triangle), 2);
+    EXPECT_EQ(dimension(CellKind::quadrilateral), 2);
+    EXPECT_EQ(dimension(CellKind::tetrahedron), 3);
+    EXPECT_EQ(dimension(CellKind::hexahedron), 3);
+    EXPECT_EQ(n_vertices(CellKind::triangle), 3);
+    EXPECT_EQ(n_vertices(CellKind::quadrilateral), 4);
+    EXPECT_EQ(n_vertices(CellKind::tetrahedron), 4);
+    EXPECT_EQ(n_vertices(CellKind::hexahedron), 8);
+    EXPECT_TRUE(is_simplex(CellKind::tetrahedron));
+    EXPECT_FALSE(is_simplex(CellKind::hexahedron));
+    EXPECT_EQ(singular(CellKind::hexahedron), "hexahedron");
+  }
+
+
+  class AtomicFile : public ::testing::Test
+  {
+  protected:
+    void SetUp() override
+    {
+      std::filesystem::remove_all(folder);
+      std::filesystem::create_directory(folder);
+    }
+
+    void TearDown() override
+    {
+      std::filesystem::remove_all(folder);
+    }
+
+    std::string content(const std::filesystem::path &path) const
+    {
+      std::ifstream file(path);
+      return {std::istreambuf_iterator<char>(file), {}};
+    }
+
+    std::size_t n_files() const
+    {
+      return std::distance(std::filesystem::directory_iterator(folder), {});
+    }
+
+    const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / "springfit_atomic_file_test";
+  };
+
+  TEST_F(AtomicFile, IsWrittenAndReplaced)
+  {
+    write_file(folder / "a", [](std::ostream &out) { out << "first"; });
+    write_file(folder / "a", [](std::ostream &out) { out << "second"; });
+    EXPECT_EQ(content(folder / "a"), "second");
+    EXPECT_EQ(n_files(), 1u);
+  }
+
+  TEST_F(AtomicFile, AFailureLeavesTheOldFileAlone)
+  {
+    write_file(folder / "a", [](std::ostream &out) { out << "first"; });
+    EXPECT_THROW(write_file(folder / "a",
+                            [](std::ostream &out) {
+                              out << "half";
+                              out.setstate(std::ios::badbit);
+                            }),
+                 RunError);
+    EXPECT_EQ(content(folder / "a"), "first");
+    EXPECT_EQ(n_files(), 1u);
+  }
+
+  TEST_F(AtomicFile, AFolderThatIsNotThereIsAnError)
+  {
+    EXPECT_THROW(write_file(folder / "none" / "a", [](std::ostream &) {}),
+                 RunError);
+  }
+} // namespace
