@@ -89,7 +89,9 @@ namespace
             dealii::ParameterHandler::KeepDeclarationOrder);
       });
     });
-    session.print(version() + ", " + source.file.string());
+    session.print(version() + ", " + source.file.string() + ", ranks: " +
+                  std::to_string(dealii::Utilities::MPI::n_mpi_processes(
+                    session.communicator())));
     session.log(library_versions());
     for (const auto &text : source.overrides)
       session.log("--set \"" + text + "\"");

@@ -44,14 +44,14 @@ namespace springfit
           constraints_.add_line(dof(v, d));
     constraints_.close();
 
-    // The fixed nodes keep their rows, so that a rank may add to any of them.
-    pattern_.reinit(locally_owned_,
-                    locally_owned_,
-                    communicator,
-                    dof_handler_.max_couplings_between_dofs());
-    dealii::DoFTools::make_sparsity_pattern(
-      dof_handler_, pattern_, constraints_, true, rank);
-    pattern_.compress();
+    // Every rank knows all cells, and with them all entries of its own rows.
+    pattern_.reinit(dof_handler_.n_dofs(),
+                    dof_handler_.n_dofs(),
+                    locally_owned_);
+    dealii::DoFTools::make_sparsity_pattern(dof_handler_,
+                                            pattern_,
+                                            constraints_,
+                                            /*keep_constrained_dofs*/ true);
   }
 
   template <int dim>
@@ -100,7 +100,8 @@ namespace springfit
   void
   Discretization<dim>::initialize(Matrix &matrix) const
   {
-    matrix.reinit(pattern_);
+    matrix.reinit(
+      locally_owned_, locally_owned_, pattern_, communicator_, false);
   }
 
   template <int dim>

@@ -8,8 +8,8 @@
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_vector.h>
 
 #include <Eigen/Core>
@@ -74,7 +74,7 @@ namespace springfit
     std::vector<dealii::types::global_dof_index> dofs_; // dim * v + d
     dealii::IndexSet                             locally_owned_;
     dealii::AffineConstraints<double>            constraints_;
-    dealii::TrilinosWrappers::SparsityPattern    pattern_;
+    dealii::DynamicSparsityPattern               pattern_;
   };
 } // namespace springfit
 
