@@ -11,14 +11,16 @@ namespace springfit
      * Steps of 1e-9. The offset moves their limits away from the numbers that
      * the distances of regular cells are: fractions and roots of fractions.
      */
-    std::int64_t to_integer(const double relative_distance)
+    std::int64_t
+    to_integer(const double relative_distance)
     {
       constexpr double resolution = 1e-9;
       constexpr double offset     = 0.2718281828459045;
       return std::llround(relative_distance / resolution + offset);
     }
 
-    Eigen::MatrixXd distances_of(const Eigen::MatrixXd &points)
+    Eigen::MatrixXd
+    distances_of(const Eigen::MatrixXd &points)
     {
       const Eigen::Index n = points.cols();
       Eigen::MatrixXd distances(n, n);
@@ -32,10 +34,11 @@ namespace springfit
       Eigen::Matrix<std::int64_t, Eigen::Dynamic, Eigen::Dynamic>;
 
     /** Less than, equal to or greater than zero: whether p comes before q. */
-    std::int64_t compare(const IntegerMatrix &distances,
-                         const std::vector<NodePair> &pairs,
-                         const std::vector<unsigned int> &p,
-                         const std::vector<unsigned int> &q)
+    std::int64_t
+    compare(const IntegerMatrix &distances,
+            const std::vector<NodePair> &pairs,
+            const std::vector<unsigned int> &p,
+            const std::vector<unsigned int> &q)
     {
       for (const auto &[i, j] : pairs)
         {
@@ -49,20 +52,22 @@ namespace springfit
   } // namespace
 
 
-  bool operator==(const ShapeKey &a, const ShapeKey &b)
+  bool
+  operator==(const ShapeKey &a, const ShapeKey &b)
   {
     return a.kind == b.kind && a.distances == b.distances;
   }
 
 
-  bool operator!=(const ShapeKey &a, const ShapeKey &b)
+  bool
+  operator!=(const ShapeKey &a, const ShapeKey &b)
   {
     return !(a == b);
   }
 
 
-  CanonicalShape canonical_shape(const Eigen::MatrixXd &points,
-                                 const CellKind kind)
+  CanonicalShape
+  canonical_shape(const Eigen::MatrixXd &points, const CellKind kind)
   {
     const Eigen::MatrixXd distances = distances_of(points);
     const double size               = distances.maxCoeff();
@@ -82,7 +87,8 @@ namespace springfit
   }
 
 
-  std::vector<unsigned int> spring_permutation(const CanonicalShape &shape)
+  std::vector<unsigned int>
+  spring_permutation(const CanonicalShape &shape)
   {
     const unsigned int n = n_vertices(shape.key.kind);
     // Position of the pair (i, j), i < j, in lexicographic order.

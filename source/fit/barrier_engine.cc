@@ -36,7 +36,8 @@ namespace springfit
       bool inside;
     };
 
-    double log_det(const Eigen::LLT<Eigen::MatrixXd> &llt)
+    double
+    log_det(const Eigen::LLT<Eigen::MatrixXd> &llt)
     {
       return 2. * llt.matrixLLT().diagonal().array().log().sum();
     }
@@ -60,10 +61,11 @@ namespace springfit
     };
 
     /** Those of -log det A, dA/dk_s = sign b_s b_s^T, dA/dt = I. */
-    void add_cone(const double sign,
-                  const Eigen::MatrixXd &B,
-                  const Eigen::LLT<Eigen::MatrixXd> &A,
-                  Derivatives &derivatives)
+    void
+    add_cone(const double sign,
+             const Eigen::MatrixXd &B,
+             const Eigen::LLT<Eigen::MatrixXd> &A,
+             Derivatives &derivatives)
     {
       const Eigen::Index n_springs = B.cols();
       const Eigen::MatrixXd X =
@@ -80,9 +82,10 @@ namespace springfit
       derivatives.hessian(n_springs, n_springs) += X.squaredNorm();
     }
 
-    Derivatives differentiate(const SpectralProblem &problem,
-                              const Cones &cones,
-                              const double mu)
+    Derivatives
+    differentiate(const SpectralProblem &problem,
+                  const Cones &cones,
+                  const double mu)
     {
       const Eigen::Index n = problem.B.cols() + 1;
       Derivatives derivatives{Eigen::VectorXd::Unit(n, n - 1) / mu,
@@ -99,7 +102,8 @@ namespace springfit
     }
 
     /** After scaling H to a unit diagonal: its entries range widely. */
-    Eigen::VectorXd newton_step(const Derivatives &derivatives)
+    Eigen::VectorXd
+    newton_step(const Derivatives &derivatives)
     {
       const Eigen::VectorXd scale =
         derivatives.hessian.diagonal().cwiseSqrt().cwiseInverse();
@@ -115,10 +119,11 @@ namespace springfit
      * decrement is below @p decrement_end, or when rounding lets it fall no
      * further.
      */
-    Eigen::VectorXd centre(const SpectralProblem &problem,
-                           Eigen::VectorXd x,
-                           const double mu,
-                           const double decrement_end)
+    Eigen::VectorXd
+    centre(const SpectralProblem &problem,
+           Eigen::VectorXd x,
+           const double mu,
+           const double decrement_end)
     {
       constexpr unsigned int n_steps_max = 60;
 
@@ -162,9 +167,10 @@ namespace springfit
      * Newton's step, Y = mu (A^-1 - A^-1 dA A^-1), they are Newton's
      * equations, which hold to the accuracy of their solution.
      */
-    Eigen::MatrixXd multiplier(const SpectralProblem &problem,
-                               const Eigen::VectorXd &x,
-                               const double mu)
+    Eigen::MatrixXd
+    multiplier(const SpectralProblem &problem,
+               const Eigen::VectorXd &x,
+               const double mu)
     {
       const Eigen::Index n_springs = problem.B.cols();
       const Cones cones(problem, x);
@@ -181,8 +187,8 @@ namespace springfit
   } // namespace
 
 
-  SpectralSolution solve_by_barrier(const SpectralProblem &problem,
-                                    const double mu)
+  SpectralSolution
+  solve_by_barrier(const SpectralProblem &problem, const double mu)
   {
     constexpr double mu_start    = 1e-2;
     constexpr double mu_factor   = 0.05;

@@ -2,7 +2,8 @@
 
 namespace springfit
 {
-  Eigen::VectorXd fit_block(const FitProblem &problem)
+  Eigen::VectorXd
+  fit_block(const FitProblem &problem)
   {
     const Eigen::Index dim = problem.points.rows();
     Eigen::VectorXd k(problem.springs.size());
@@ -22,7 +23,8 @@ namespace springfit
   }
 
 
-  Eigen::VectorXd fit_block_nonnegative(const FitProblem &problem)
+  Eigen::VectorXd
+  fit_block_nonnegative(const FitProblem &problem)
   {
     return fit_block(problem).cwiseMax(0.);
   }

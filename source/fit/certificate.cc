@@ -9,8 +9,8 @@ namespace springfit
 {
   namespace
   {
-    Eigen::MatrixXd dual_feasible(const SpectralProblem &problem,
-                                  const Eigen::MatrixXd &M)
+    Eigen::MatrixXd
+    dual_feasible(const SpectralProblem &problem, const Eigen::MatrixXd &M)
     {
       // The optimality conditions of a fit of M are the constraints on what
       // it leaves: b_s^T (M - B diag(c) B^T) b_s = 0, or <= 0 with c >= 0.
@@ -20,7 +20,8 @@ namespace springfit
       return M - problem.B * c.asDiagonal() * problem.B.transpose();
     }
 
-    double nuclear_norm(const Eigen::MatrixXd &symmetric)
+    double
+    nuclear_norm(const Eigen::MatrixXd &symmetric)
     {
       return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
                symmetric, Eigen::EigenvaluesOnly)
@@ -30,7 +31,8 @@ namespace springfit
     }
   } // namespace
 
-  double dual_bound(const SpectralProblem &problem, const Eigen::MatrixXd &M)
+  double
+  dual_bound(const SpectralProblem &problem, const Eigen::MatrixXd &M)
   {
     if (!M.allFinite())
       return 0.;
@@ -45,8 +47,8 @@ namespace springfit
   }
 
 
-  double duality_gap(const SpectralProblem &problem,
-                     const SpectralSolution &solution)
+  double
+  duality_gap(const SpectralProblem &problem, const SpectralSolution &solution)
   {
     return spectral_norm(residual(problem, solution.k)) -
            dual_bound(problem, solution.multiplier);

@@ -20,14 +20,16 @@ namespace springfit
       std::optional<double> duality_gap;
     };
 
-    Constants block(const FitProblem &problem, const FitOptions &options)
+    Constants
+    block(const FitProblem &problem, const FitOptions &options)
     {
       return {options.nonnegative ? fit_block_nonnegative(problem)
                                   : fit_block(problem),
               {}};
     }
 
-    Constants frobenius(const FitProblem &problem, const FitOptions &options)
+    Constants
+    frobenius(const FitProblem &problem, const FitOptions &options)
     {
       const Eigen::MatrixXd &B = problem.gradients;
       const Eigen::MatrixXd &R = problem.stiffness;
@@ -40,12 +42,14 @@ namespace springfit
      * The central path's parameter to stop at. A gap there is (2n + n_springs)
      * mu at most, at most 64 mu.
      */
-    double final_mu(const double tolerance)
+    double
+    final_mu(const double tolerance)
     {
       return std::clamp(1e-4 * tolerance, 1e-12, 1e-10);
     }
 
-    Constants spectral(const FitProblem &problem, const FitOptions &options)
+    Constants
+    spectral(const FitProblem &problem, const FitOptions &options)
     {
       const SpectralProblem scaled =
         make_spectral_problem(problem, options.nonnegative);
@@ -56,9 +60,10 @@ namespace springfit
       return {scaled.scale * solution.k, duality_gap(scaled, solution)};
     }
 
-    Constants constants(const FitProblem &problem,
-                        const Method method,
-                        const FitOptions &options)
+    Constants
+    constants(const FitProblem &problem,
+              const Method method,
+              const FitOptions &options)
     {
       switch (method)
         {
@@ -73,7 +78,8 @@ namespace springfit
   } // namespace
 
 
-  const WordTable<Method> &method_words()
+  const WordTable<Method> &
+  method_words()
   {
     static const WordTable<Method> table = {{Method::block, "block"},
                                             {Method::frobenius, "frobenius"},
@@ -82,7 +88,8 @@ namespace springfit
   }
 
 
-  const WordTable<Engine> &engine_words()
+  const WordTable<Engine> &
+  engine_words()
   {
     static const WordTable<Engine> table = {{Engine::ipopt, "ipopt"},
                                             {Engine::barrier, "barrier"}};

@@ -12,7 +12,8 @@ namespace springfit
   {
     using Indices = std::vector<Eigen::Index>;
 
-    Indices positions(const std::vector<bool> &is_free)
+    Indices
+    positions(const std::vector<bool> &is_free)
     {
       Indices free;
       for (std::size_t s = 0; s < is_free.size(); ++s)
@@ -22,9 +23,10 @@ namespace springfit
     }
 
     /** The unconstrained minimiser with everything but @p free at zero. */
-    Eigen::VectorXd minimise_over(const Eigen::MatrixXd &G,
-                                  const Eigen::VectorXd &g,
-                                  const Indices &free)
+    Eigen::VectorXd
+    minimise_over(const Eigen::MatrixXd &G,
+                  const Eigen::VectorXd &g,
+                  const Indices &free)
     {
       const Eigen::MatrixXd G_free = G(free, free);
       const Eigen::VectorXd g_free = g(free);
@@ -38,10 +40,11 @@ namespace springfit
      * From a feasible @p x towards the minimiser over the free variables,
      * releasing on the way those that would become negative.
      */
-    Eigen::VectorXd descend(const Eigen::MatrixXd &G,
-                            const Eigen::VectorXd &g,
-                            Eigen::VectorXd x,
-                            std::vector<bool> &is_free)
+    Eigen::VectorXd
+    descend(const Eigen::MatrixXd &G,
+            const Eigen::VectorXd &g,
+            Eigen::VectorXd x,
+            std::vector<bool> &is_free)
     {
       while (true)
         {
@@ -70,8 +73,8 @@ namespace springfit
     }
   } // namespace
 
-  Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd &G,
-                                            const Eigen::VectorXd &g)
+  Eigen::VectorXd
+  nonnegative_least_squares(const Eigen::MatrixXd &G, const Eigen::VectorXd &g)
   {
     const Eigen::Index n  = g.size();
     const double rounding = 10. * n * std::numeric_limits<double>::epsilon() *

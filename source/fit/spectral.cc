@@ -41,8 +41,8 @@ namespace springfit
     }
 
     /** A1 and A2 at x = (k, t), or none when either is not definite. */
-    std::vector<Cone> make_cones(const SpectralProblem &problem,
-                                 const Eigen::VectorXd &x)
+    std::vector<Cone>
+    make_cones(const SpectralProblem &problem, const Eigen::VectorXd &x)
     {
       const Eigen::Index n_springs = problem.B.cols();
       const Eigen::MatrixXd E      = residual(problem, x.head(n_springs));
@@ -99,8 +99,8 @@ namespace springfit
   } // namespace
 
 
-  SpectralProblem make_spectral_problem(const FitProblem &problem,
-                                        const bool nonnegative)
+  SpectralProblem
+  make_spectral_problem(const FitProblem &problem, const bool nonnegative)
   {
     const Eigen::MatrixXd Q = deformation_basis(problem.points);
     const Eigen::MatrixXd R = Q.transpose() * problem.stiffness * Q;
@@ -109,7 +109,8 @@ namespace springfit
   }
 
 
-  Eigen::VectorXd interior_point(const SpectralProblem &problem)
+  Eigen::VectorXd
+  interior_point(const SpectralProblem &problem)
   {
     // t well above the norm, also where the residual vanishes: a path that
     // starts near the boundary is slow to leave it.
@@ -125,15 +126,17 @@ namespace springfit
   }
 
 
-  Eigen::MatrixXd residual(const SpectralProblem &problem,
-                           const Eigen::Ref<const Eigen::VectorXd> &k)
+  Eigen::MatrixXd
+  residual(const SpectralProblem &problem,
+           const Eigen::Ref<const Eigen::VectorXd> &k)
   {
     const Eigen::MatrixXd weighted = problem.B * k.asDiagonal();
     return problem.R - weighted * problem.B.transpose();
   }
 
 
-  double spectral_norm(const Eigen::MatrixXd &symmetric)
+  double
+  spectral_norm(const Eigen::MatrixXd &symmetric)
   {
     return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
              symmetric, Eigen::EigenvaluesOnly)
@@ -143,8 +146,8 @@ namespace springfit
   }
 
 
-  std::optional<Eigen::VectorXd> pivots(const SpectralProblem &problem,
-                                        const Eigen::VectorXd &x)
+  std::optional<Eigen::VectorXd>
+  pivots(const SpectralProblem &problem, const Eigen::VectorXd &x)
   {
     const auto cones = make_cones(problem, x);
     if (cones.empty())
@@ -155,8 +158,8 @@ namespace springfit
   }
 
 
-  std::optional<Eigen::MatrixXd> pivot_jacobian(const SpectralProblem &problem,
-                                                const Eigen::VectorXd &x)
+  std::optional<Eigen::MatrixXd>
+  pivot_jacobian(const SpectralProblem &problem, const Eigen::VectorXd &x)
   {
     const Eigen::Index n         = problem.B.rows();
     const Eigen::Index n_springs = problem.B.cols();
@@ -178,9 +181,10 @@ namespace springfit
   }
 
 
-  std::optional<Eigen::MatrixXd> pivot_hessian(const SpectralProblem &problem,
-                                               const Eigen::VectorXd &x,
-                                               const Eigen::VectorXd &weights)
+  std::optional<Eigen::MatrixXd>
+  pivot_hessian(const SpectralProblem &problem,
+                const Eigen::VectorXd &x,
+                const Eigen::VectorXd &weights)
   {
     const Eigen::Index n = problem.B.rows();
     const auto cones     = make_cones(problem, x);

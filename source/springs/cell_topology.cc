@@ -10,7 +10,8 @@ namespace springfit
   {
     using Permutations = std::vector<std::vector<unsigned int>>;
 
-    std::vector<NodePair> all_pairs(const unsigned int n)
+    std::vector<NodePair>
+    all_pairs(const unsigned int n)
     {
       std::vector<NodePair> pairs;
       for (unsigned int i = 0; i < n; ++i)
@@ -19,7 +20,8 @@ namespace springfit
       return pairs;
     }
 
-    Permutations all_permutations(const unsigned int n)
+    Permutations
+    all_permutations(const unsigned int n)
     {
       std::vector<unsigned int> permutation(n);
       std::iota(permutation.begin(), permutation.end(), 0);
@@ -35,7 +37,8 @@ namespace springfit
      * with reflections x -> 1 - x of some of them; bit d of a vertex number is
      * the vertex's coordinate d.
      */
-    Permutations cube_symmetries(const unsigned int dim)
+    Permutations
+    cube_symmetries(const unsigned int dim)
     {
       const unsigned int n_corners = 1u << dim;
       Permutations all;
@@ -52,7 +55,8 @@ namespace springfit
     }
 
     template <typename Value, typename Make>
-    const Value &made_once_per_kind(const CellKind kind, const Make &make)
+    const Value &
+    made_once_per_kind(const CellKind kind, const Make &make)
     {
       static const std::map<CellKind, Value> table = [&]() {
         std::map<CellKind, Value> made;
@@ -64,13 +68,15 @@ namespace springfit
     }
   } // namespace
 
-  const std::vector<NodePair> &node_pairs(const CellKind kind)
+  const std::vector<NodePair> &
+  node_pairs(const CellKind kind)
   {
     return made_once_per_kind<std::vector<NodePair>>(
       kind, [](const CellKind k) { return all_pairs(n_vertices(k)); });
   }
 
-  const std::vector<std::vector<unsigned int>> &symmetries(const CellKind kind)
+  const std::vector<std::vector<unsigned int>> &
+  symmetries(const CellKind kind)
   {
     return made_once_per_kind<Permutations>(kind, [](const CellKind k) {
       return is_simplex(k) ? all_permutations(n_vertices(k))

@@ -3,8 +3,9 @@
 
 namespace springfit
 {
-  Eigen::MatrixXd length_gradients(const Eigen::MatrixXd &points,
-                                   const std::vector<NodePair> &springs)
+  Eigen::MatrixXd
+  length_gradients(const Eigen::MatrixXd &points,
+                   const std::vector<NodePair> &springs)
   {
     const Eigen::Index dim = points.rows();
     Eigen::MatrixXd gradients =

@@ -2,7 +2,8 @@
 
 namespace springfit
 {
-  unsigned int n_negative(const Eigen::Ref<const Eigen::VectorXd> &k)
+  unsigned int
+  n_negative(const Eigen::Ref<const Eigen::VectorXd> &k)
   {
     if (k.size() == 0)
       return 0;

@@ -5,7 +5,8 @@
 
 namespace springfit
 {
-  unsigned int n_negative(const SpringNetwork &network)
+  unsigned int
+  n_negative(const SpringNetwork &network)
   {
     return n_negative(
       Eigen::Map<const Eigen::VectorXd>(network.stiffness.data(),
@@ -20,9 +21,10 @@ namespace springfit
   {}
 
 
-  void NetworkBuilder::add_springs(const std::vector<unsigned int> &vertices,
-                                   const std::vector<NodePair> &pairs,
-                                   const Eigen::Ref<const Eigen::VectorXd> &k)
+  void
+  NetworkBuilder::add_springs(const std::vector<unsigned int> &vertices,
+                              const std::vector<NodePair> &pairs,
+                              const Eigen::Ref<const Eigen::VectorXd> &k)
   {
     for (std::size_t s = 0; s < pairs.size(); ++s)
       {
@@ -53,7 +55,8 @@ namespace springfit
   }
 
 
-  SpringNetwork NetworkBuilder::build() const
+  SpringNetwork
+  NetworkBuilder::build() const
   {
     SpringNetwork network;
     network.nodes = nodes_;

@@ -7,7 +7,8 @@ namespace springfit
   namespace
   {
     /** Translations, then infinitesimal rotations about the centre. */
-    Eigen::MatrixXd raw_modes(const Eigen::MatrixXd &points)
+    Eigen::MatrixXd
+    raw_modes(const Eigen::MatrixXd &points)
     {
       const Eigen::Index dim         = points.rows();
       const Eigen::Index n_nodes     = points.cols();
@@ -34,7 +35,8 @@ namespace springfit
     }
 
     /** An orthonormal basis of all displacements, the rigid ones first. */
-    Eigen::MatrixXd full_basis(const Eigen::MatrixXd &modes)
+    Eigen::MatrixXd
+    full_basis(const Eigen::MatrixXd &modes)
     {
       const Eigen::HouseholderQR<Eigen::MatrixXd> qr(modes);
       return qr.householderQ() *
@@ -42,13 +44,15 @@ namespace springfit
     }
   } // namespace
 
-  Eigen::MatrixXd rigid_body_modes(const Eigen::MatrixXd &points)
+  Eigen::MatrixXd
+  rigid_body_modes(const Eigen::MatrixXd &points)
   {
     const Eigen::MatrixXd modes = raw_modes(points);
     return full_basis(modes).leftCols(modes.cols());
   }
 
-  Eigen::MatrixXd deformation_basis(const Eigen::MatrixXd &points)
+  Eigen::MatrixXd
+  deformation_basis(const Eigen::MatrixXd &points)
   {
     const Eigen::MatrixXd modes = raw_modes(points);
     return full_basis(modes).rightCols(modes.rows() - modes.cols());

@@ -24,7 +24,8 @@ namespace
   using Fit = std::function<Eigen::VectorXd(const FitProblem &)>;
 
   /** Everything that `Method::spectral` does, its certificate included. */
-  Fit spectral_fit(const Engine engine)
+  Fit
+  spectral_fit(const Engine engine)
   {
     FitOptions options;
     options.engine = engine;

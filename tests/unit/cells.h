@@ -34,23 +34,27 @@ namespace springfit::oracle
     return D;
   }
 
-  inline Eigen::MatrixXd plane_stress(const double nu)
+  inline Eigen::MatrixXd
+  plane_stress(const double nu)
   {
     return isotropic(2, nu / (1. - nu * nu), 0.5 / (1. + nu));
   }
 
-  inline Eigen::MatrixXd plane_strain(const double nu)
+  inline Eigen::MatrixXd
+  plane_strain(const double nu)
   {
     return isotropic(2, nu / ((1. + nu) * (1. - 2. * nu)), 0.5 / (1. + nu));
   }
 
-  inline Eigen::MatrixXd solid(const double nu)
+  inline Eigen::MatrixXd
+  solid(const double nu)
   {
     return isotropic(3, nu / ((1. + nu) * (1. - 2. * nu)), 0.5 / (1. + nu));
   }
 
   /** Plane stress in 2-d. */
-  inline Eigen::MatrixXd usual_elasticity(const CellKind kind, const double nu)
+  inline Eigen::MatrixXd
+  usual_elasticity(const CellKind kind, const double nu)
   {
     return dimension(kind) == 2 ? plane_stress(nu) : solid(nu);
   }
@@ -78,8 +82,8 @@ namespace springfit::oracle
   }
 
   /** P1 in closed form. */
-  inline Eigen::MatrixXd simplex_stiffness(const Eigen::MatrixXd &points,
-                                           const Eigen::MatrixXd &D)
+  inline Eigen::MatrixXd
+  simplex_stiffness(const Eigen::MatrixXd &points, const Eigen::MatrixXd &D)
   {
     const int dim           = points.rows();
     const Eigen::MatrixXd J = points.rightCols(dim).colwise() - points.col(0);
@@ -92,8 +96,8 @@ namespace springfit::oracle
   }
 
   /** Q1 by Gauss' quadrature, two points per direction. */
-  inline Eigen::MatrixXd tensor_stiffness(const Eigen::MatrixXd &points,
-                                          const Eigen::MatrixXd &D)
+  inline Eigen::MatrixXd
+  tensor_stiffness(const Eigen::MatrixXd &points, const Eigen::MatrixXd &D)
   {
     const int dim     = points.rows();
     const int n       = 1 << dim;
@@ -125,16 +129,18 @@ namespace springfit::oracle
     return R;
   }
 
-  inline Eigen::MatrixXd stiffness(const Eigen::MatrixXd &points,
-                                   const CellKind kind,
-                                   const Eigen::MatrixXd &D)
+  inline Eigen::MatrixXd
+  stiffness(const Eigen::MatrixXd &points,
+            const CellKind kind,
+            const Eigen::MatrixXd &D)
   {
     return is_simplex(kind) ? simplex_stiffness(points, D)
                             : tensor_stiffness(points, D);
   }
 
   /** Equilateral triangle, square, regular tetrahedron, cube; all edges 1. */
-  inline Eigen::MatrixXd regular_cell(const CellKind kind)
+  inline Eigen::MatrixXd
+  regular_cell(const CellKind kind)
   {
     const int dim = dimension(kind);
     Eigen::MatrixXd points(dim, n_vertices(kind));
@@ -159,17 +165,20 @@ namespace springfit::oracle
     explicit Random(const unsigned int seed) : engine_(seed)
     {}
 
-    double operator()()
+    double
+    operator()()
     {
       return engine_() / 4294967296.;
     }
 
-    double operator()(const double low, const double high)
+    double
+    operator()(const double low, const double high)
     {
       return low + (high - low) * (*this)();
     }
 
-    Eigen::MatrixXd matrix(const int n_rows, const int n_columns)
+    Eigen::MatrixXd
+    matrix(const int n_rows, const int n_columns)
     {
       Eigen::MatrixXd m(n_rows, n_columns);
       for (int j = 0; j < n_columns; ++j)
@@ -179,7 +188,8 @@ namespace springfit::oracle
     }
 
     /** A proper rotation. */
-    Eigen::MatrixXd rotation(const int dim)
+    Eigen::MatrixXd
+    rotation(const int dim)
     {
       Eigen::MatrixXd Q =
         Eigen::HouseholderQR<Eigen::MatrixXd>(matrix(dim, dim)).householderQ();
@@ -193,22 +203,25 @@ namespace springfit::oracle
   };
 
   /** Every coordinate moved by up to 20 % of the edge. */
-  inline Eigen::MatrixXd random_cell(const CellKind kind, Random &random)
+  inline Eigen::MatrixXd
+  random_cell(const CellKind kind, Random &random)
   {
     const Eigen::MatrixXd regular = regular_cell(kind);
     return regular + 0.2 * random.matrix(regular.rows(), regular.cols());
   }
 
-  inline FitProblem fit_problem(const Eigen::MatrixXd &points,
-                                const CellKind kind,
-                                const double nu)
+  inline FitProblem
+  fit_problem(const Eigen::MatrixXd &points,
+              const CellKind kind,
+              const double nu)
   {
     return make_fit_problem(
       points, kind, stiffness(points, kind, usual_elasticity(kind, nu)));
   }
 
   /** A random cell with nu in 0 .. 0.45. */
-  inline FitProblem random_problem(const CellKind kind, Random &random)
+  inline FitProblem
+  random_problem(const CellKind kind, Random &random)
   {
     const Eigen::MatrixXd points = random_cell(kind, random);
     return fit_problem(points, kind, random(0., 0.45));

@@ -29,9 +29,10 @@ namespace
     unsigned int n_with_negative = 0;
   };
 
-  Figures run(const CellKind kind,
-              const FitOptions &options,
-              const unsigned int n_cells)
+  Figures
+  run(const CellKind kind,
+      const FitOptions &options,
+      const unsigned int n_cells)
   {
     oracle::Random random(2010);
     Figures figures;

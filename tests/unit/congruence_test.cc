@@ -13,8 +13,8 @@ using springfit::oracle::Random;
 
 namespace
 {
-  Eigen::MatrixXd renumbered(const Eigen::MatrixXd &x,
-                             const std::vector<unsigned int> &p)
+  Eigen::MatrixXd
+  renumbered(const Eigen::MatrixXd &x, const std::vector<unsigned int> &p)
   {
     Eigen::MatrixXd y(x.rows(), x.cols());
     for (int v = 0; v < x.cols(); ++v)
@@ -22,21 +22,24 @@ namespace
     return y;
   }
 
-  Eigen::MatrixXd mirrored(Eigen::MatrixXd x)
+  Eigen::MatrixXd
+  mirrored(Eigen::MatrixXd x)
   {
     x.row(0) *= -1.;
     return x;
   }
 
-  Eigen::MatrixXd moved(const Eigen::MatrixXd &x, Random &random)
+  Eigen::MatrixXd
+  moved(const Eigen::MatrixXd &x, Random &random)
   {
     const Eigen::MatrixXd rotated = random.rotation(x.rows()) * x;
     return rotated.colwise() + Eigen::VectorXd(random.matrix(x.rows(), 1));
   }
 
-  void expect_same_shape(const Eigen::MatrixXd &x,
-                         const Eigen::MatrixXd &y,
-                         const CellKind kind)
+  void
+  expect_same_shape(const Eigen::MatrixXd &x,
+                    const Eigen::MatrixXd &y,
+                    const CellKind kind)
   {
     const auto a = canonical_shape(x, kind);
     const auto b = canonical_shape(y, kind);

@@ -96,24 +96,28 @@ namespace
   class AtomicFile : public ::testing::Test
   {
   protected:
-    void SetUp() override
+    void
+    SetUp() override
     {
       std::filesystem::remove_all(folder);
       std::filesystem::create_directory(folder);
     }
 
-    void TearDown() override
+    void
+    TearDown() override
     {
       std::filesystem::remove_all(folder);
     }
 
-    std::string content(const std::filesystem::path &path) const
+    std::string
+    content(const std::filesystem::path &path) const
     {
       std::ifstream file(path);
       return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    std::size_t n_files() const
+    std::size_t
+    n_files() const
     {
       return std::distance(std::filesystem::directory_iterator(folder), {});
     }

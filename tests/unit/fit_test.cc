@@ -22,7 +22,8 @@ namespace
 {
   const std::vector<Engine> all_engines = {Engine::ipopt, Engine::barrier};
 
-  FitOptions options_of(const Engine engine, const bool nonnegative)
+  FitOptions
+  options_of(const Engine engine, const bool nonnegative)
   {
     FitOptions options;
     options.engine      = engine;
@@ -31,7 +32,8 @@ namespace
   }
 
   /** Every method, both engines, free and k >= 0. */
-  std::vector<std::pair<Method, FitOptions>> all_fits()
+  std::vector<std::pair<Method, FitOptions>>
+  all_fits()
   {
     std::vector<std::pair<Method, FitOptions>> fits;
     for (const bool nonnegative : {false, true})
@@ -44,16 +46,18 @@ namespace
     return fits;
   }
 
-  FitProblem regular_problem(const CellKind kind, const double nu)
+  FitProblem
+  regular_problem(const CellKind kind, const double nu)
   {
     return oracle::fit_problem(oracle::regular_cell(kind), kind, nu);
   }
 
   /** Of the springs of regular cells with edges of length one. */
-  void expect_by_length(const FitProblem &problem,
-                        const Eigen::VectorXd &k,
-                        const std::vector<std::pair<double, double>> &expected,
-                        const double tolerance)
+  void
+  expect_by_length(const FitProblem &problem,
+                   const Eigen::VectorXd &k,
+                   const std::vector<std::pair<double, double>> &expected,
+                   const double tolerance)
   {
     for (std::size_t s = 0; s < problem.springs.size(); ++s)
       {
@@ -295,9 +299,10 @@ namespace
   }
 
   /** Residuals of the optimality conditions of min x^T G x / 2 - g^T x. */
-  void expect_optimal(const Eigen::MatrixXd &G,
-                      const Eigen::VectorXd &g,
-                      const Eigen::VectorXd &x)
+  void
+  expect_optimal(const Eigen::MatrixXd &G,
+                 const Eigen::VectorXd &g,
+                 const Eigen::VectorXd &x)
   {
     const Eigen::VectorXd gradient = G * x - g;
     EXPECT_GE(x.minCoeff(), 0.);
@@ -337,7 +342,8 @@ namespace
   }
 
   /** Slender cells: many of their free fits have negative springs. */
-  FitProblem slender_problem(const CellKind kind, Random &random)
+  FitProblem
+  slender_problem(const CellKind kind, Random &random)
   {
     Eigen::MatrixXd x = oracle::random_cell(kind, random);
     x.row(0) *= 3.;
@@ -617,22 +623,24 @@ namespace
 
   // Invariance: k belongs to the spring, not to coordinates or numbers.
 
-  double tolerance_of(const Method method)
+  double
+  tolerance_of(const Method method)
   {
     return method == Method::spectral ? 1e-6 : 1e-12;
   }
 
-  std::vector<FitProblem> cells_for_invariance(const CellKind kind,
-                                               Random &random)
+  std::vector<FitProblem>
+  cells_for_invariance(const CellKind kind, Random &random)
   {
     return {regular_problem(kind, 0.3), slender_problem(kind, random)};
   }
 
   /** k of the same springs when the cell is @p x with R from nu = 0.3. */
-  Eigen::VectorXd k_of(const Eigen::MatrixXd &x,
-                       const CellKind kind,
-                       const Method method,
-                       const FitOptions &options)
+  Eigen::VectorXd
+  k_of(const Eigen::MatrixXd &x,
+       const CellKind kind,
+       const Method method,
+       const FitOptions &options)
   {
     return fit(oracle::fit_problem(x, kind, 0.3), method, options).k;
   }

@@ -95,13 +95,15 @@ namespace
   using Pair = Vector<2 * dim>;
 
   template <int dim>
-  Vector<dim> difference(const Pair<dim> &x)
+  Vector<dim>
+  difference(const Pair<dim> &x)
   {
     return x.template tail<dim>() - x.template head<dim>();
   }
 
   template <typename F, int n>
-  auto derivative(const F &f, const Eigen::Matrix<double, n, 1> &x, const int i)
+  auto
+  derivative(const F &f, const Eigen::Matrix<double, n, 1> &x, const int i)
   {
     constexpr double h                     = 1e-5;
     const Eigen::Matrix<double, n, 1> step = h * Vector<n>::Unit(i);
@@ -109,7 +111,8 @@ namespace
   }
 
   template <int dim>
-  void check_length_by_differences()
+  void
+  check_length_by_differences()
   {
     Random random(dim);
     const double k = 3., rest = 0.7;

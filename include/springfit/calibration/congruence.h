@@ -23,9 +23,11 @@ namespace springfit
     std::vector<std::int64_t> distances;
   };
 
-  bool operator==(const ShapeKey &a, const ShapeKey &b);
+  bool
+  operator==(const ShapeKey &a, const ShapeKey &b);
 
-  bool operator!=(const ShapeKey &a, const ShapeKey &b);
+  bool
+  operator!=(const ShapeKey &a, const ShapeKey &b);
 
 
   /** A cell's shape, and how the cell is got from it. */
@@ -57,21 +59,24 @@ namespace springfit
    *
    * @param points dim x n_nodes, m
    */
-  CanonicalShape canonical_shape(const Eigen::MatrixXd &points, CellKind kind);
+  CanonicalShape
+  canonical_shape(const Eigen::MatrixXd &points, CellKind kind);
 
   /**
    * Spring s = (a, b) of the canonical numbering is spring result[s] of the
    * cell, the one between permutation[a] and permutation[b]; springs in the
    * order of node_pairs().
    */
-  std::vector<unsigned int> spring_permutation(const CanonicalShape &shape);
+  std::vector<unsigned int>
+  spring_permutation(const CanonicalShape &shape);
 } // namespace springfit
 
 
 template <>
 struct std::hash<springfit::ShapeKey>
 {
-  std::size_t operator()(const springfit::ShapeKey &key) const noexcept;
+  std::size_t
+  operator()(const springfit::ShapeKey &key) const noexcept;
 };
 
 #endif

@@ -13,7 +13,8 @@ namespace springfit
    *
    * @throws RunError when Newton's method breaks down at the start.
    */
-  SpectralSolution solve_by_barrier(const SpectralProblem &problem, double mu);
+  SpectralSolution
+  solve_by_barrier(const SpectralProblem &problem, double mu);
 } // namespace springfit
 
 #endif

@@ -14,13 +14,15 @@ namespace springfit
    *
    * @return one k per spring, N/m
    */
-  Eigen::VectorXd fit_block(const FitProblem &problem);
+  Eigen::VectorXd
+  fit_block(const FitProblem &problem);
 
   /**
    * The same with k >= 0. The problem is one quadratic per spring, so its
    * minimiser is the free one with negative values replaced by zero.
    */
-  Eigen::VectorXd fit_block_nonnegative(const FitProblem &problem);
+  Eigen::VectorXd
+  fit_block_nonnegative(const FitProblem &problem);
 } // namespace springfit
 
 #endif

@@ -18,14 +18,15 @@ namespace springfit
    * |M| the sum of the magnitudes of M's eigenvalues. The projection is a
    * Frobenius fit of M itself.
    */
-  double dual_bound(const SpectralProblem &problem, const Eigen::MatrixXd &M);
+  double
+  dual_bound(const SpectralProblem &problem, const Eigen::MatrixXd &M);
 
   /**
    * ||E(k)||_2 minus the bound of the solution's multiplier: at most this far
    * is k from the optimum. Relative to ||R||_2.
    */
-  double duality_gap(const SpectralProblem &problem,
-                     const SpectralSolution &solution);
+  double
+  duality_gap(const SpectralProblem &problem, const SpectralSolution &solution);
 } // namespace springfit
 
 #endif

@@ -25,9 +25,11 @@ namespace springfit
     barrier
   };
 
-  const WordTable<Method> &method_words();
+  const WordTable<Method> &
+  method_words();
 
-  const WordTable<Engine> &engine_words();
+  const WordTable<Engine> &
+  engine_words();
 
   struct FitOptions
   {

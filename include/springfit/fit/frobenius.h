@@ -15,11 +15,12 @@ namespace springfit
    * for springs between distinct pairs of nodes: each tangent alone has
    * entries in its off-diagonal block.
    */
-  Eigen::MatrixXd tangent_gram(const Eigen::MatrixXd &B);
+  Eigen::MatrixXd
+  tangent_gram(const Eigen::MatrixXd &B);
 
   /** The products b_s^T R b_s, one per spring. */
-  Eigen::VectorXd tangent_products(const Eigen::MatrixXd &B,
-                                   const Eigen::MatrixXd &R);
+  Eigen::VectorXd
+  tangent_products(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R);
 
   /**
    * The minimiser of ||R - B diag(k) B^T||_F, from its normal equations
@@ -28,12 +29,12 @@ namespace springfit
    *
    * @return one k per spring, in the units of R
    */
-  Eigen::VectorXd fit_frobenius(const Eigen::MatrixXd &B,
-                                const Eigen::MatrixXd &R);
+  Eigen::VectorXd
+  fit_frobenius(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R);
 
   /** The same over k >= 0. */
-  Eigen::VectorXd fit_frobenius_nonnegative(const Eigen::MatrixXd &B,
-                                            const Eigen::MatrixXd &R);
+  Eigen::VectorXd
+  fit_frobenius_nonnegative(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R);
 } // namespace springfit
 
 #endif

@@ -16,13 +16,15 @@ namespace springfit
    *
    * @throws RunError when Ipopt ends without any point.
    */
-  SpectralSolution solve_by_ipopt(const SpectralProblem &problem, double mu);
+  SpectralSolution
+  solve_by_ipopt(const SpectralProblem &problem, double mu);
 
   /**
    * What Ipopt's own derivative checker (first and second derivatives by
    * finite differences at the starting point) reports.
    */
-  std::string derivative_report(const SpectralProblem &problem);
+  std::string
+  derivative_report(const SpectralProblem &problem);
 } // namespace springfit
 
 #endif

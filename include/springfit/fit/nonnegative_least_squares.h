@@ -14,8 +14,8 @@ namespace springfit
    *
    * @throws RunError when the active sets do not settle.
    */
-  Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd &G,
-                                            const Eigen::VectorXd &g);
+  Eigen::VectorXd
+  nonnegative_least_squares(const Eigen::MatrixXd &G, const Eigen::VectorXd &g);
 } // namespace springfit
 
 #endif

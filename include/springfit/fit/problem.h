@@ -27,12 +27,14 @@ namespace springfit
   };
 
   /** The problem of a cell whose vertices are fully connected. */
-  FitProblem make_fit_problem(const Eigen::MatrixXd &points,
-                              CellKind kind,
-                              const Eigen::MatrixXd &stiffness);
+  FitProblem
+  make_fit_problem(const Eigen::MatrixXd &points,
+                   CellKind kind,
+                   const Eigen::MatrixXd &stiffness);
 
   /** E(k) = R - B diag(k) B^T, what the springs miss. */
-  Eigen::MatrixXd residual(const FitProblem &problem, const Eigen::VectorXd &k);
+  Eigen::MatrixXd
+  residual(const FitProblem &problem, const Eigen::VectorXd &k);
 } // namespace springfit
 
 #endif

@@ -32,18 +32,21 @@ namespace springfit
     bool nonnegative;
   };
 
-  SpectralProblem make_spectral_problem(const FitProblem &problem,
-                                        bool nonnegative);
+  SpectralProblem
+  make_spectral_problem(const FitProblem &problem, bool nonnegative);
 
   /** A point (k, t) strictly inside: Frobenius' k and t above ||E(k)||_2. */
-  Eigen::VectorXd interior_point(const SpectralProblem &problem);
+  Eigen::VectorXd
+  interior_point(const SpectralProblem &problem);
 
   /** E(k) */
-  Eigen::MatrixXd residual(const SpectralProblem &problem,
-                           const Eigen::Ref<const Eigen::VectorXd> &k);
+  Eigen::MatrixXd
+  residual(const SpectralProblem &problem,
+           const Eigen::Ref<const Eigen::VectorXd> &k);
 
   /** ||E(k)||_2 from the eigenvalues. */
-  double spectral_norm(const Eigen::MatrixXd &symmetric);
+  double
+  spectral_norm(const Eigen::MatrixXd &symmetric);
 
   /** What an engine returns. */
   struct SpectralSolution
@@ -70,20 +73,21 @@ namespace springfit
    *
    * @return nothing when A1 or A2 is not positive definite
    */
-  std::optional<Eigen::VectorXd> pivots(const SpectralProblem &problem,
-                                        const Eigen::VectorXd &x);
+  std::optional<Eigen::VectorXd>
+  pivots(const SpectralProblem &problem, const Eigen::VectorXd &x);
 
   /** Their first derivatives, 2n x (n_springs + 1); nothing as above. */
-  std::optional<Eigen::MatrixXd> pivot_jacobian(const SpectralProblem &problem,
-                                                const Eigen::VectorXd &x);
+  std::optional<Eigen::MatrixXd>
+  pivot_jacobian(const SpectralProblem &problem, const Eigen::VectorXd &x);
 
   /**
    * The second derivatives of sum_i weights_i d_i, symmetric
    * (n_springs + 1) x (n_springs + 1), all entries set; nothing as above.
    */
-  std::optional<Eigen::MatrixXd> pivot_hessian(const SpectralProblem &problem,
-                                               const Eigen::VectorXd &x,
-                                               const Eigen::VectorXd &weights);
+  std::optional<Eigen::MatrixXd>
+  pivot_hessian(const SpectralProblem &problem,
+                const Eigen::VectorXd &x,
+                const Eigen::VectorXd &weights);
 
   /**
    * Y1 - Y2 of multipliers y of the pivots: Y = L^-T diag(y) L^-1 for each of

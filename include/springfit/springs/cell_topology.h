@@ -15,7 +15,8 @@ namespace springfit
    * Every pair of vertices of a cell, in lexicographic order: a fully
    * connected cell of 3, 6, 6 or 28 springs.
    */
-  const std::vector<NodePair> &node_pairs(CellKind kind);
+  const std::vector<NodePair> &
+  node_pairs(CellKind kind);
 
   /**
    * The renumberings of the reference cell's vertices under which its P1 or Q1
@@ -23,7 +24,8 @@ namespace springfit
    * Vertex v goes to vertex p[v]. The vertices of quadrilaterals and
    * hexahedra are numbered lexicographically, x fastest.
    */
-  const std::vector<std::vector<unsigned int>> &symmetries(CellKind kind);
+  const std::vector<std::vector<unsigned int>> &
+  symmetries(CellKind kind);
 } // namespace springfit
 
 #endif

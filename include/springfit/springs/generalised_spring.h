@@ -10,7 +10,8 @@ namespace springfit
   // areas and volumes.
 
   /** k (q - q0)^2 / 2, in J. */
-  inline double spring_energy(const double k, const double q, const double q0)
+  inline double
+  spring_energy(const double k, const double q, const double q0)
   {
     return 0.5 * k * (q - q0) * (q - q0);
   }

@@ -20,8 +20,9 @@ namespace springfit
    *
    * @throws RunError when the two nodes of a spring coincide.
    */
-  Eigen::MatrixXd length_gradients(const Eigen::MatrixXd &points,
-                                   const std::vector<NodePair> &springs);
+  Eigen::MatrixXd
+  length_gradients(const Eigen::MatrixXd &points,
+                   const std::vector<NodePair> &springs);
 } // namespace springfit
 
 #endif

@@ -15,14 +15,16 @@ namespace springfit
   using Tensor = Eigen::Matrix<double, dim, dim>;
 
   template <int dim>
-  double length(const Vector<dim> &d)
+  double
+  length(const Vector<dim> &d)
   {
     return d.norm();
   }
 
   /** The gradient with respect to (x_i, x_j): -n at i, n at j. */
   template <int dim>
-  Vector<2 * dim> length_gradient(const Vector<dim> &d)
+  Vector<2 * dim>
+  length_gradient(const Vector<dim> &d)
   {
     const Vector<dim> n = d.normalized();
     Vector<2 * dim> gradient;
@@ -35,7 +37,8 @@ namespace springfit
    * ii and jj, its negative in ij and ji.
    */
   template <int dim>
-  Tensor<2 * dim> length_hessian(const Vector<dim> &d)
+  Tensor<2 * dim>
+  length_hessian(const Vector<dim> &d)
   {
     const Vector<dim> n = d.normalized();
     const Tensor<dim> across =
@@ -59,9 +62,10 @@ namespace springfit
    * k [n n^T + (1 - L0 / |d|) (I - n n^T)].
    */
   template <int dim>
-  Tensor<dim> length_tangent_block(const double k,
-                                   const double rest_length,
-                                   const Vector<dim> &d)
+  Tensor<dim>
+  length_tangent_block(const double k,
+                       const double rest_length,
+                       const Vector<dim> &d)
   {
     const Vector<dim> n     = d.normalized();
     const Tensor<dim> along = n * n.transpose();

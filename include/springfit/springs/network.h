@@ -32,7 +32,8 @@ namespace springfit
     std::vector<double> mass;
   };
 
-  unsigned int n_negative(const SpringNetwork &network);
+  unsigned int
+  n_negative(const SpringNetwork &network);
 
 
   /**
@@ -50,15 +51,18 @@ namespace springfit
      * @param pairs the cell's springs, as positions in @p vertices
      * @param k the stiffness of each, N/m
      */
-    void add_springs(const std::vector<unsigned int> &vertices,
-                     const std::vector<NodePair> &pairs,
-                     const Eigen::Ref<const Eigen::VectorXd> &k);
+    void
+    add_springs(const std::vector<unsigned int> &vertices,
+                const std::vector<NodePair> &pairs,
+                const Eigen::Ref<const Eigen::VectorXd> &k);
 
     /** @param masses one per vertex, kg */
-    void add_masses(const std::vector<unsigned int> &vertices,
-                    const Eigen::Ref<const Eigen::VectorXd> &masses);
+    void
+    add_masses(const std::vector<unsigned int> &vertices,
+               const Eigen::Ref<const Eigen::VectorXd> &masses);
 
-    SpringNetwork build() const;
+    SpringNetwork
+    build() const;
 
   private:
     /** The other node and the stiffness. */

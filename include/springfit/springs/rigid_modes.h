@@ -12,13 +12,15 @@ namespace springfit
    * on one line
    * @return (dim * n_nodes) x 3 in 2-d, x 6 in 3-d
    */
-  Eigen::MatrixXd rigid_body_modes(const Eigen::MatrixXd &points);
+  Eigen::MatrixXd
+  rigid_body_modes(const Eigen::MatrixXd &points);
 
   /**
    * An orthonormal basis of what remains: displacements that deform. A
    * triangle has 3, a quadrilateral 5, a tetrahedron 6, a hexahedron 18.
    */
-  Eigen::MatrixXd deformation_basis(const Eigen::MatrixXd &points);
+  Eigen::MatrixXd
+  deformation_basis(const Eigen::MatrixXd &points);
 } // namespace springfit
 
 #endif
