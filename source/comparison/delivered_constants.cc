@@ -1,8 +1,11 @@
 #include <springfit/comparison/delivered_constants.h>
+#include <springfit/comparison/slab_share.h>
+#include <springfit/reference/cell_matrices.h>
 
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace springfit
 {
@@ -19,29 +22,21 @@ namespace springfit
       }
     };
 
-    template <typename Vertices>
+    template <int dim>
     Interval
-    extent_along(const Eigen::VectorXd &axis, const Vertices &vertices)
+    extent_along(const Eigen::VectorXd                 &axis,
+                 const std::vector<dealii::Point<dim>> &vertices)
     {
       Interval extent{1e300, -1e300};
       for (const auto &vertex : vertices)
         {
           double position = 0.;
-          for (Eigen::Index d = 0; d < axis.size(); ++d)
+          for (int d = 0; d < dim; ++d)
             position += axis[d] * vertex[d];
           extent.lowest  = std::min(extent.lowest, position);
           extent.highest = std::max(extent.highest, position);
         }
       return extent;
-    }
-
-    /** The part of @p part that lies in @p whole. */
-    double
-    share_within(const Interval &part, const Interval &whole)
-    {
-      const double common = std::min(part.highest, whole.highest) -
-                            std::max(part.lowest, whole.lowest);
-      return std::max(0., common) / part.length();
     }
   } // namespace
 
@@ -68,10 +63,11 @@ namespace springfit
     Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(dim, dim);
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
-        std::vector<dealii::Point<dim>> vertices;
-        for (const unsigned int v : cell->vertex_indices())
-          vertices.push_back(cell->vertex(v));
-        const double share = share_within(extent_along(axis, vertices), middle);
+        const double share = slab_share(cell_points<dim>(cell),
+                                        mesh.cell_kind,
+                                        axis,
+                                        middle.lowest,
+                                        middle.highest);
         if (share == 0.)
           continue;
         values.reinit(cell);

@@ -25,8 +25,8 @@ namespace springfit
       exception.print_info(text);
       std::smatch match;
       const auto  info = text.str();
-      if (std::regex_search(info, match, std::regex("Message: *<(.*)>")))
-        return match[1];
+      if (std::regex_search(info, match, std::regex("Message: *<(.*)>\\s")))
+        return std::regex_replace(match[1].str(), std::regex("\\s+"), " ");
       return std::regex_replace(info, std::regex("\\s+"), " ");
     }
   } // namespace

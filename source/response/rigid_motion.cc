@@ -21,6 +21,13 @@ namespace springfit
       text << ')';
       return text.str();
     }
+
+    /** Of a direction and its opposite, the one with a positive sum. */
+    Eigen::VectorXd
+    pointing_up(const Eigen::VectorXd &direction)
+    {
+      return direction.sum() < 0. ? Eigen::VectorXd(-direction) : direction;
+    }
   } // namespace
 
   std::string
@@ -45,7 +52,7 @@ namespace springfit
       svd.singularValues().size() < 2 || svd.singularValues()[1] <= tolerance;
     if (dim == 3 && on_a_line)
       return "the rotation about the axis through " + text_of(centre) +
-             " m along " + text_of(svd.matrixU().col(0));
+             " m along " + text_of(pointing_up(svd.matrixU().col(0)));
     return "";
   }
 } // namespace springfit

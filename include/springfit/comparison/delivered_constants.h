@@ -15,8 +15,8 @@ namespace springfit
    * ratio the negative ratio of the mean lateral and the mean axial strain.
    *
    * Strains and the area are means over the middle third of the object along
-   * @p axis (a unit vector); a cell counts by the part of its axial extent
-   * that lies in the middle third.
+   * @p axis (a unit vector); a cell counts by the part of its volume that lies
+   * in the middle third.
    *
    * @param displacement m, dim x n_nodes
    * @param forces       N, dim x n_nodes, those that pull

@@ -1,0 +1,230 @@
+#include <springfit/comparison/delivered_constants.h>
+#include <springfit/comparison/errors.h>
+#include <springfit/response/loads.h>
+#include <springfit/response/region.h>
+#include <springfit/response/statics.h>
+
+#include "meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace springfit;
+
+namespace
+{
+  const std::string fixed_1_loaded_2 =
+    " set Fixed boundaries = 1\n set Loaded boundaries = 2\nend";
+
+  template <int dim>
+  MaterialTable
+  one_material(const double E, const double nu, const double thickness)
+  {
+    const ElasticConstants constants = {E, nu, 1000.};
+    return {{0,
+             {constants,
+              dim == 2 ? lame_constants_plane_stress(constants) :
+                         lame_constants(constants),
+              thickness}}};
+  }
+
+  template <int dim>
+  Eigen::MatrixXd
+  nodes_of(const Mesh<dim> &mesh)
+  {
+    const auto     &vertices = mesh.triangulation.get_vertices();
+    Eigen::MatrixXd nodes(dim, vertices.size());
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      for (int d = 0; d < dim; ++d)
+        nodes(d, v) = vertices[v][d];
+    return nodes;
+  }
+
+  /** A bar without lateral contraction stretches by F L / (E A). */
+  template <int dim>
+  void
+  stretch_a_bar(const std::string &solver)
+  {
+    oracle::Random random(4);
+    const double   E = 2e4, L = 0.03, h = dim == 2 ? 0.5 : 1.;
+    const auto     mesh    = oracle::box_mesh<dim>(3, L, 0.2, random);
+    const auto     element = make_element<dim>(mesh->cell_kind);
+    const auto     loads   = oracle::make_step<Loads<dim>>(
+      "subsection Loads\n set Cases = tension\n" + fixed_1_loaded_2);
+    const auto loading = loads->resolve(*mesh, element, h);
+    const auto statics = oracle::make_step<Statics<dim>>(
+      "subsection Response\n set Solver = " + solver +
+      "\n set Tolerance = 1e-13\nend");
+    const Discretization<dim> discretization(*mesh,
+                                             loading.fixed,
+                                             MPI_COMM_SELF);
+    const auto forces = loading.cases.front().forces;
+    const auto u =
+      statics
+        ->finite_elements(discretization,
+                          element,
+                          one_material<dim>(E, 0., h))
+        .respond(forces)
+        .displacement;
+
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(dim, u.cols());
+    expected.row(0)          = nodes_of(*mesh).row(0) / E; // 1 Pa
+    EXPECT_LT((u - expected).norm(), 1e-9 * expected.norm());
+
+    const auto delivered = delivered_constants(
+      *mesh, element, loading.axis, u, forces, h);
+    // In space the slab is cut from plane-faced simplices, which the faces of
+    // moved vertices are not quite.
+    EXPECT_NEAR(delivered.youngs_modulus, E, (dim == 2 ? 1e-7 : 1e-3) * E);
+    EXPECT_NEAR(delivered.poissons_ratio, 0., 1e-9);
+  }
+} // namespace
+
+TEST(FiniteElements, StretchABarExactly)
+{
+  stretch_a_bar<2>("direct");
+  stretch_a_bar<3>("direct");
+  stretch_a_bar<2>("cg");
+  stretch_a_bar<3>("cg");
+}
+
+TEST(Springs, TangentIsTheSumOverSprings)
+{
+  // Two springs in a row along x, and two that keep the middle node on it:
+  // the node in the middle moves by f / (k1 + k2).
+  MeshDescription description;
+  description.cell_kind = CellKind::triangle;
+  description.vertices  = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}};
+  description.cells     = {0, 1, 2};
+  description.material_ids = {0};
+  const auto mesh          = build_mesh<2>(description);
+
+  SpringNetwork network;
+  network.nodes       = nodes_of(*mesh);
+  network.i           = {0, 0, 1};
+  network.j           = {1, 2, 2};
+  network.stiffness   = {3., 5., 7.};
+  network.rest_length = {1., 1., std::sqrt(2.)};
+  network.mass        = {1., 1., 1.};
+
+  const Discretization<2> discretization(*mesh,
+                                         {true, false, true},
+                                         MPI_COMM_SELF);
+  const auto statics = oracle::make_step<Statics<2>>("");
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 3);
+  forces.col(1) << 0.2, 0.1;
+  const auto u = statics->springs(discretization, network, "test")
+                   .respond(forces)
+                   .displacement;
+  Eigen::Matrix2d K;
+  K << 3. + 3.5, -3.5, -3.5, 3.5;
+  const Eigen::Vector2d expected = K.inverse() * Eigen::Vector2d(0.2, 0.1);
+  EXPECT_LT((u.col(1) - expected).norm(), 1e-12);
+  EXPECT_EQ(u.col(0).norm() + u.col(2).norm(), 0.);
+}
+
+TEST(Springs, AMechanismIsRefused)
+{
+  oracle::Random random(5);
+  const auto     mesh = oracle::box_mesh<2>(1, 1., 0., random);
+  SpringNetwork  network; // a square without diagonals shears freely
+  network.nodes       = nodes_of(*mesh);
+  network.i           = {0, 0, 1, 2};
+  network.j           = {1, 2, 3, 3};
+  network.stiffness   = {1., 1., 1., 1.};
+  network.rest_length = {1., 1., 1., 1.};
+  network.mass        = {1., 1., 1., 1.};
+  const Discretization<2> discretization(*mesh,
+                                         {true, true, false, false},
+                                         MPI_COMM_SELF);
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 4);
+  forces.row(0) << 0., 0., 1., 1.;
+  const auto statics = oracle::make_step<Statics<2>>("");
+  EXPECT_THROW(statics->springs(discretization, network, "test")
+                 .respond(forces),
+               RunError);
+}
+
+TEST(Loads, BalanceTheTractionOfOnePascal)
+{
+  oracle::Random random(6);
+  const double   L = 0.03;
+  const auto     mesh    = oracle::box_mesh<3>(3, L, 0.2, random);
+  const auto     element = make_element<3>(mesh->cell_kind);
+  const auto     loads   = oracle::make_step<Loads<3>>(
+    "subsection Loads\n set Cases = tension, compression, shear, torsion\n" +
+    fixed_1_loaded_2);
+  const auto loading = loads->resolve(*mesh, element, 1.);
+  const auto nodes   = nodes_of(*mesh);
+  EXPECT_EQ(std::count(loading.fixed.begin(), loading.fixed.end(), true), 16);
+  EXPECT_NEAR(loading.extent, L, 1e-15);
+  EXPECT_LT((loading.axis - Eigen::Vector3d::UnitX()).norm(), 1e-12);
+
+  const double F = L * L;
+  const auto   total = [&](const int c) {
+    return Eigen::Vector3d(loading.cases[c].forces.rowwise().sum());
+  };
+  EXPECT_LT((total(0) - Eigen::Vector3d(F, 0., 0.)).norm(), 1e-12 * F);
+  EXPECT_LT((total(1) + total(0)).norm(), 1e-12 * F);
+  EXPECT_LT((total(2) - Eigen::Vector3d(0., F, 0.)).norm(), 1e-12 * F);
+  EXPECT_LT(total(3).norm(), 1e-12 * F);
+
+  // The torque about x approximates that of r / r_max on a square by the
+  // nodal rule, whose error for r^2 is known: h^2 / 6 per direction and unit
+  // area.
+  double torque = 0.;
+  for (Eigen::Index v = 0; v < nodes.cols(); ++v)
+    torque += (nodes(1, v) - L / 2.) * loading.cases[3].forces(2, v) -
+              (nodes(2, v) - L / 2.) * loading.cases[3].forces(1, v);
+  const double h     = L / 3.;
+  const double exact = F * (L * L / 6. + h * h / 3.) / (L / std::sqrt(2.));
+  EXPECT_NEAR(torque, exact, 1e-10 * exact);
+}
+
+TEST(Loads, RegionsSelectNodesAndFaces)
+{
+  oracle::Random random(7);
+  const auto     mesh    = oracle::box_mesh<2>(4, 1., 0., random);
+  const auto     element = make_element<2>(mesh->cell_kind);
+  const auto     loads   = oracle::make_step<Loads<2>>(
+    "subsection Loads\n set Cases = shear\n"
+    " set Fixed region = y < 1e-6 and x < 0.51\n"
+    " set Loaded region = y > 0.999\nend");
+  const auto loading = loads->resolve(*mesh, element, 0.1);
+  EXPECT_EQ(std::count(loading.fixed.begin(), loading.fixed.end(), true), 3);
+  EXPECT_LT((loading.axis - Eigen::Vector2d::UnitY()).norm(), 1e-12);
+  EXPECT_NEAR(std::abs(loading.cases[0].forces.row(0).sum()), 0.1, 1e-12);
+  EXPECT_NEAR(loading.cases[0].forces.row(1).norm(), 0., 1e-15);
+}
+
+TEST(Loads, RefuseWhatCannotStandOrIsNotLoaded)
+{
+  oracle::Random random(8);
+  const auto     mesh    = oracle::box_mesh<3>(2, 1., 0., random);
+  const auto     element = make_element<3>(mesh->cell_kind);
+  const auto     message = [&](const std::string &entries) -> std::string {
+    const auto loads = oracle::make_step<Loads<3>>(
+      "subsection Loads\n set Loaded boundaries = 2\n" + entries + "\nend");
+    try
+      {
+        loads->resolve(*mesh, element, 1.);
+        return "";
+      }
+    catch (const EntryError &error)
+      {
+        return error.what();
+      }
+  };
+  const auto has = [](const std::string &text, const std::string &part) {
+    return text.find(part) != std::string::npos;
+  };
+  EXPECT_TRUE(has(message("set Fixed region = x < -1"), "no node"));
+  EXPECT_TRUE(has(message("set Fixed region = x + y + z < 0.1"), "rotation"));
+  EXPECT_TRUE(has(message("set Fixed region = x + y < 0.1"), "along (0, 0, 1)"));
+  EXPECT_TRUE(has(message("set Fixed boundaries = 2"), "every loaded node"));
+  EXPECT_TRUE(has(message("set Fixed boundaries = 3"), "3"));
+  EXPECT_TRUE(has(message("set Fixed region = x << 1"), "cannot be understood"));
+  EXPECT_EQ(message("set Fixed boundaries = 1"), "");
+}
