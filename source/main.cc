@@ -3,6 +3,7 @@
 #include <springfit/core/error.h>
 #include <springfit/core/parameters.h>
 #include <springfit/core/session.h>
+#include <springfit/core/unexpected.h>
 #include <springfit/core/version.h>
 #include <springfit/core/words.h>
 #include <springfit/studies/study.h>
@@ -59,6 +60,16 @@ namespace
                         "Folder for the results, made if need be (no unit); a "
                         "relative one starts in the working directory.");
     }
+
+    void
+    check() const
+    {
+      if (output_directory.empty())
+        throw EntryError("Output directory",
+                         "no folder is given.",
+                         "Name a folder for the results, such as "
+                         "output/cube.");
+    }
   };
 
   /** @throws EntryError when it is neither 2 nor 3. */
@@ -74,6 +85,15 @@ namespace
     return text == "2" ? 2 : 3;
   }
 
+  /** Every entry with its text and value, as a parameter file. */
+  void
+  print_parameters(const dealii::ParameterHandler &prm, std::ostream &file)
+  {
+    prm.print_parameters(file,
+                         dealii::ParameterHandler::PRM |
+                           dealii::ParameterHandler::KeepDeclarationOrder);
+  }
+
   void
   write_record(const ParameterSource &source, Session &session)
   {
@@ -83,10 +103,7 @@ namespace
         file << std::ifstream(source.file).rdbuf();
       });
       write_file(folder / "used.prm", [&](std::ostream &file) {
-        dealii::ParameterAcceptor::prm.print_parameters(
-          file,
-          dealii::ParameterHandler::PRM |
-            dealii::ParameterHandler::KeepDeclarationOrder);
+        print_parameters(dealii::ParameterAcceptor::prm, file);
       });
     });
     session.print(version() + ", " + source.file.string() + ", ranks: " +
@@ -111,14 +128,20 @@ namespace
 
     if (!command_line.defaults.empty())
       {
-        prm.print_parameters(std::cout,
-                             dealii::ParameterHandler::PRM |
-                               dealii::ParameterHandler::KeepDeclarationOrder);
+        run_on_root(communicator, [&]() {
+          std::ostringstream text;
+          print_parameters(prm, text);
+          if (!(std::cout << text.str() << std::flush))
+            throw RunError("The parameter file could not be written to the "
+                           "standard output.",
+                           "Free space on the disk.");
+        });
         return;
       }
 
     read_parameters(prm, command_line.source);
     dealii::ParameterAcceptor::parse_all_parameters();
+    top_level.check();
     const auto study = value_of(study_words(), top_level.study_word, "Study");
     run_collectively(communicator,
                      [&]() { scene.geometry.check_files(scene.folder); });
@@ -177,22 +200,9 @@ namespace
       {
         return report(error.what(), Status::wrong_input);
       }
-    catch (const std::bad_alloc &)
-      {
-        return report("The memory of this machine does not suffice. Choose a "
-                      "larger 'Cell size'.",
-                      Status::run_failed);
-      }
-    catch (const RunError &error)
-      {
-        return report(error.what(), Status::run_failed);
-      }
     catch (const std::exception &error)
       {
-        return report(std::string("The run failed unexpectedly; please report "
-                                  "this with the parameter file. ") +
-                        error.what(),
-                      Status::run_failed);
+        return report(as_run_error(error).what(), Status::run_failed);
       }
   }
 } // namespace
@@ -220,9 +230,11 @@ main(int argc, char *argv[])
   app.add_flag("--validate",
                command_line.validate_only,
                "check the parameters and stop");
-  app.add_option("--defaults",
-                 command_line.defaults,
-                 "print a commented parameter file for 2 or 3 dimensions");
+  app
+    .add_option("--defaults",
+                command_line.defaults,
+                "print a commented parameter file for 2 or 3 dimensions")
+    ->check(CLI::IsMember({"2", "3"}));
   app.set_version_flag("--version", version() + '\n' + library_versions());
 
   try

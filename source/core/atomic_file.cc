@@ -26,9 +26,27 @@ namespace springfit
     std::ofstream file(temporary);
     if (!file)
       fail(std::strerror(errno));
-    write(file);
+    bool given_up = false;
+    try
+      {
+        write(file);
+      }
+    catch (const std::exception &)
+      {
+        if (file)
+          {
+            std::error_code ignored;
+            std::filesystem::remove(temporary, ignored);
+            throw;
+          }
+        // A library found that the file does not take its words: write the
+        // last ones once more to learn why.
+        given_up = true;
+        file.clear();
+        errno = 0;
+      }
     file.close();
-    if (!file)
+    if (!file || given_up)
       fail(errno != 0 ? std::strerror(errno) : "writing failed");
 
     std::error_code error;

@@ -1,5 +1,6 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/core/unexpected.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -47,7 +48,7 @@ namespace springfit
         }
       catch (const std::exception &error)
         {
-          return report(Outcome::run_error, error.what());
+          return report(Outcome::run_error, as_run_error(error).what());
         }
     }
   } // namespace

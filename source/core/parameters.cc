@@ -1,4 +1,5 @@
 #include <springfit/core/parameters.h>
+#include <springfit/core/unexpected.h>
 #include <springfit/core/words.h>
 
 #include <deal.II/base/exceptions.h>
@@ -44,14 +45,42 @@ namespace springfit
       return entries;
     }
 
-    /** The last name of each path, or with @p of_sections all but the last. */
-    std::vector<std::string>
-    entry_names(const std::vector<std::string> &paths)
+    /** The name of an entry without its sections. */
+    std::string
+    name_of(const std::string &path)
     {
-      std::vector<std::string> names;
-      for (const auto &path : paths)
-        names.push_back(path.substr(path.rfind('/') + 1));
-      return names;
+      return path.substr(path.rfind('/') + 1);
+    }
+
+    /** The sections of an entry without its name: "Geometry/". */
+    std::string
+    section_of(const std::string &path)
+    {
+      return path.substr(0, path.size() - name_of(path).size());
+    }
+
+    /** What a misspelt entry may mean: one of its section, or else another. */
+    std::string
+    did_you_mean_entry(const std::string              &path,
+                       const std::vector<std::string> &declared)
+    {
+      for (const bool same_section : {true, false})
+        {
+          std::vector<std::string> names, paths;
+          for (const auto &entry : declared)
+            if (!same_section || section_of(entry) == section_of(path))
+              {
+                names.push_back(name_of(entry));
+                paths.push_back(entry);
+              }
+          const auto nearest = nearest_word(name_of(path), names);
+          if (!nearest.empty())
+            return " Did you mean '" +
+                   paths[std::find(names.begin(), names.end(), nearest) -
+                         names.begin()] +
+                   "'?";
+        }
+      return "";
     }
 
     std::vector<std::string>
@@ -67,37 +96,79 @@ namespace springfit
       return names;
     }
 
-    /** What deal.II has to say about an error, on one line. */
+    /** How to mend a value that does not match deal.II's @p pattern. */
     std::string
-    additional_information(const dealii::ExceptionBase &exception)
+    form_of(const std::string &pattern)
     {
-      std::ostringstream text;
-      exception.print_info(text);
-      const std::string one_line =
-        std::regex_replace(text.str(), std::regex("\\s+"), " ");
-      return trimmed(one_line);
+      const auto begins_with = [&](const std::string &text) {
+        return pattern.compare(0, text.size(), text) == 0;
+      };
+      if (begins_with("[List of <[Double"))
+        return "Give finite numbers, separated by commas.";
+      if (begins_with("[Double"))
+        return "Give a finite number.";
+      if (begins_with("[Integer"))
+        return "Give a whole number.";
+      if (begins_with("[Bool"))
+        return "Give true or false.";
+      return "Give a value of the form " + pattern + '.';
     }
 
-    /** deal.II's complaint about a parameter file with a way to mend it. */
+    /** The entry that is set in a line of a file, or else an empty string. */
+    std::string
+    entry_in_line(const std::string &file_name, const unsigned int number)
+    {
+      std::ifstream file(file_name);
+      for (const auto &line : scan_parameters(file))
+        if (line.line == number)
+          return line.entry;
+      return "";
+    }
+
+    /** deal.II's complaint about a parameter file, in this program's words. */
     InputError
     explained(const dealii::ExceptionBase    &exception,
               const std::vector<std::string> &declared)
     {
-      const std::string what = additional_information(exception);
+      const std::string list  = "'springfit --defaults 2' or '3' lists every ";
+      std::string       what  = message_of(exception);
+      std::string       place = "", entry = "";
       std::smatch       match;
+      if (std::regex_match(what,
+                           match,
+                           std::regex("Line <(\\d+)> of file <(.*?)>?: (.*)")))
+        {
+          entry = entry_in_line(match[2], std::stoul(match[1]));
+          place = match[2].str() + ", line " + match[1].str() + ": ";
+          what  = std::string(match[3]);
+        }
+
       if (std::regex_search(what, match, std::regex("No entry with name <(.*?)>")))
-        return InputError(what + did_you_mean(match[1],
-                                              entry_names(declared)),
-                          "'springfit --defaults 2' or '3' lists every entry.");
+        {
+          if (entry.empty())
+            entry = match[1];
+          return InputError(place + "there is no entry '" + entry + "'." +
+                              did_you_mean_entry(entry, declared),
+                            list + "entry.");
+        }
       if (std::regex_search(what,
                             match,
                             std::regex("no such subsection to be entered: (.*)")))
-        return InputError(what + '.' +
+        return InputError(place + "there is no section '" + match[1].str() +
+                            "'." +
                             did_you_mean(match[1], section_names(declared)),
-                          "'springfit --defaults 2' or '3' lists every section.");
-      return InputError(what,
-                        "Correct this line of the parameter file; 'springfit "
-                        "--defaults 2' or '3' shows the form of every entry.");
+                          list + "section.");
+      if (std::regex_search(what,
+                            match,
+                            std::regex("The entry value (.*) for the entry "
+                                       "named (.*) does not match the given "
+                                       "pattern: (.*)")))
+        return InputError(place + (entry.empty() ? match[2].str() : entry) +
+                            ": '" + match[1].str() + "' cannot be read.",
+                          form_of(match[3]));
+      return InputError(place + what + (what.back() == '.' ? "" : "."),
+                        "Correct the parameter file; " + list +
+                          "entry in its section.");
     }
 
     struct Override
@@ -124,7 +195,7 @@ namespace springfit
       const auto [entry, value] = parse_override(text);
       if (std::find(declared.begin(), declared.end(), entry) == declared.end())
         throw InputError("--set \"" + text + "\": there is no entry '" + entry +
-                           "'." + did_you_mean(entry, declared),
+                           "'." + did_you_mean_entry(entry, declared),
                          "Write --set \"Section/Entry=value\"; 'springfit "
                          "--defaults 2' or '3' lists every entry.");
 
@@ -139,9 +210,12 @@ namespace springfit
         }
       catch (const dealii::ExceptionBase &exception)
         {
-          throw InputError("--set \"" + text + "\": " +
-                             additional_information(exception),
-                           "Give a value of this form.");
+          const std::string what = message_of(exception);
+          std::smatch       match;
+          std::regex_search(what, match, std::regex("given pattern <(.*)>"));
+          throw InputError("--set \"" + text + "\": '" + value +
+                             "' cannot be read.",
+                           form_of(match[1]));
         }
       for (std::size_t s = 0; s < sections.size(); ++s)
         prm.leave_subsection();
@@ -161,11 +235,11 @@ namespace springfit
         std::istringstream words(line);
         std::string        first;
         words >> first;
-        if (first == "subsection")
+        if (first == "subsection" || first == "SUBSECTION")
           sections.push_back(trimmed(line.substr(first.size())));
-        else if (first == "end" && !sections.empty())
+        else if ((first == "end" || first == "END") && !sections.empty())
           sections.pop_back();
-        else if (first == "set")
+        else if (first == "set" || first == "SET")
           {
             const auto equals = line.find('=');
             const auto name   = trimmed(line.substr(3, equals - 3));
@@ -192,6 +266,10 @@ namespace springfit
       throw InputError("'" + file.string() +
                          "' is a directory, not a parameter file.",
                        mend);
+    if (!std::filesystem::is_regular_file(file))
+      throw InputError("'" + file.string() + "' is not a regular file.",
+                       "Save the parameters in a file: it is read more than "
+                       "once.");
     if (!std::ifstream(file))
       throw InputError("The parameter file '" + file.string() +
                          "' cannot be read.",

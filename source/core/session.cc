@@ -18,8 +18,7 @@ namespace springfit
     : communicator_(communicator)
     , output_directory_(output_directory)
     , log_stream_(log_file_, is_root())
-    , timer_(communicator,
-             log_stream_,
+    , timer_(log_stream_,
              dealii::TimerOutput::never,
              dealii::TimerOutput::wall_times)
   {

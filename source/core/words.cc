@@ -16,22 +16,24 @@ namespace springfit
       return text;
     }
 
-    /** Levenshtein's distance, row by row. */
+    /** Levenshtein's distance; two neighbours swapped count once. */
     std::size_t
     edit_distance(const std::string &a, const std::string &b)
     {
-      std::vector<std::size_t> row(b.size() + 1);
+      std::vector<std::size_t> before, previous, row(b.size() + 1);
       std::iota(row.begin(), row.end(), 0);
       for (std::size_t i = 1; i <= a.size(); ++i)
         {
-          std::size_t diagonal = row[0];
-          row[0]               = i;
+          before   = previous;
+          previous = row;
+          row[0]   = i;
           for (std::size_t j = 1; j <= b.size(); ++j)
             {
               const std::size_t substituted =
-                diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-              diagonal = row[j];
-              row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+                previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+              row[j] = std::min({previous[j] + 1, row[j - 1] + 1, substituted});
+              if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                row[j] = std::min(row[j], before[j - 2] + 1);
             }
         }
       return row.back();

@@ -108,13 +108,13 @@ namespace springfit
     for (const auto &piece : pieces)
       {
         const auto colon = piece.find(':');
-        if (colon == std::string::npos && pieces.size() > 1)
-          throw EntryError(entry,
-                           "'" + piece + "' names no material.",
-                           "Give one number, or \"material id: value, ...\".");
         const std::string name =
           colon == std::string::npos ? "" :
                                        blanks_removed(piece.substr(0, colon));
+        if (name.empty() && (colon != std::string::npos || pieces.size() > 1))
+          throw EntryError(entry,
+                           "'" + piece + "' names no material.",
+                           "Give one number, or \"material id: value, ...\".");
         const std::string value =
           colon == std::string::npos ? piece :
                                        blanks_removed(piece.substr(colon + 1));
@@ -143,7 +143,8 @@ namespace springfit
                            text_of(value) + " is not positive.",
                            "Give a positive number.");
 
-    const bool half_allowed = dim == 2 && plane_state() == PlaneState::stress;
+    const bool plane_stress = plane_state() == PlaneState::stress;
+    const bool half_allowed = dim == 2 && plane_stress;
     for (const auto &[name, value] : poissons_ratio_.by_name)
       if (!(value > -1. && (value < 0.5 || (half_allowed && value == 0.5))))
         throw EntryError(poissons_ratio_.entry,

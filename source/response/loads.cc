@@ -136,7 +136,9 @@ namespace springfit
     /** Refuse supports that leave a part of the body a rigid motion. */
     template <int dim>
     void
-    check_supports(const Mesh<dim> &mesh, const std::vector<bool> &fixed)
+    check_supports(const Mesh<dim>         &mesh,
+                   const std::vector<bool> &fixed,
+                   const std::string       &entry)
     {
       const auto &vertices = mesh.triangulation.get_vertices();
       const auto  part_of  = part_of_nodes(mesh.triangulation);
@@ -157,9 +159,10 @@ namespace springfit
           const std::string motion = free_rigid_motion(points);
           if (!motion.empty())
             throw EntryError(
-              "Loads/Fixed boundaries",
+              entry,
               "the supports (" + std::to_string(supports[p].size()) +
-                " fixed nodes) leave " +
+                " fixed node" + (supports[p].size() == 1 ? "" : "s") +
+                ") leave " +
                 (n_parts == 1 ? "the object" :
                                 "part " + std::to_string(p + 1) + " of the " +
                                   std::to_string(n_parts) +
@@ -281,14 +284,19 @@ namespace springfit
     Loading loading;
     loading.fixed       = fixed_nodes(mesh);
     loading.deformation = deformation_;
-    check_supports(mesh, loading.fixed);
+    check_supports(mesh,
+                   loading.fixed,
+                   fixed_region_.empty() ? "Loads/Fixed boundaries" :
+                                           "Loads/Fixed region");
 
+    const std::string loaded_entry = loaded_region_.empty() ?
+                                       "Loads/Loaded boundaries" :
+                                       "Loads/Loaded region";
     auto faces = faces_where(
       mesh,
       face_condition(mesh, loaded_boundaries_, loaded_region_, "Loaded"));
     if (faces.empty())
-      throw EntryError(loaded_region_.empty() ? "Loads/Loaded boundaries" :
-                                                "Loads/Loaded region",
+      throw EntryError(loaded_entry,
                        "no boundary face is loaded.",
                        "Name a boundary of the mesh, or widen the condition "
                        "(lengths are in m, and all vertices of a face must "
@@ -300,12 +308,12 @@ namespace springfit
     for (unsigned int v = 0; v < n_nodes; ++v)
       felt = felt || (loaded[v] && !loading.fixed[v]);
     if (!felt)
-      throw EntryError("Loads/Loaded boundaries",
+      throw EntryError(loaded_entry,
                        "every loaded node is fixed, so that no load is left.",
                        "Load another boundary than the fixed one.");
 
     if (surface.mean_normal().norm() < 1e-6)
-      throw EntryError("Loads/Loaded boundaries",
+      throw EntryError(loaded_entry,
                        "the loaded surface is closed or symmetric: its mean "
                        "normal, the axis of the pull, vanishes.",
                        "Load a part of the boundary that faces one way.");

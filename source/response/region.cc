@@ -1,6 +1,9 @@
 #include <springfit/core/error.h>
+#include <springfit/core/unexpected.h>
 #include <springfit/response/region.h>
 
+#include <cmath>
+#include <iostream>
 #include <regex>
 #include <sstream>
 
@@ -21,21 +24,44 @@ namespace springfit
     std::string
     reason(const dealii::ExceptionBase &exception)
     {
-      std::ostringstream text;
-      exception.print_info(text);
-      std::smatch match;
-      const auto  info = text.str();
-      if (std::regex_search(info, match, std::regex("Message: *<(.*)>\\s")))
-        return std::regex_replace(match[1].str(), std::regex("\\s+"), " ");
-      return std::regex_replace(info, std::regex("\\s+"), " ");
+      const std::string info = message_of(exception);
+      std::string       text = info;
+      std::smatch       match;
+      if (std::regex_search(info, match, std::regex("The parser said: (.*)")))
+        text = match[1];
+      return text.substr(0, text.find_last_not_of(" .") + 1);
     }
+
+    /** deal.II writes muParser's errors to the screen before it throws. */
+    class QuietErrors
+    {
+    public:
+      QuietErrors()
+        : buffer_(std::cerr.rdbuf(nullptr))
+      {}
+
+      ~QuietErrors()
+      {
+        std::cerr.rdbuf(buffer_);
+      }
+
+      QuietErrors(const QuietErrors &) = delete;
+      QuietErrors &
+      operator=(const QuietErrors &) = delete;
+
+    private:
+      std::streambuf *const buffer_;
+    };
   } // namespace
 
   template <int dim>
   Region<dim>::Region(const std::string &expression, const std::string &entry)
-    : function_(std::make_unique<dealii::FunctionParser<dim>>(1))
+    : expression_(expression)
+    , entry_(entry)
+    , function_(std::make_unique<dealii::FunctionParser<dim>>(1))
   {
     const std::string names = dim == 2 ? "x,y" : "x,y,z";
+    const QuietErrors quiet;
     try
       {
         function_->initialize(names,
@@ -48,7 +74,8 @@ namespace springfit
         throw EntryError(entry,
                          "the expression '" + expression +
                            "' cannot be understood: " + reason(exception) + '.',
-                         "Write a condition on " + names +
+                         "Write a condition on " +
+                           std::string(dim == 2 ? "x, y" : "x, y, z") +
                            " in m, such as \"x < 1e-6\".");
       }
   }
@@ -57,7 +84,17 @@ namespace springfit
   bool
   Region<dim>::contains(const dealii::Point<dim> &point) const
   {
-    return function_->value(point) != 0.;
+    const double value = function_->value(point);
+    if (!std::isfinite(value))
+      {
+        std::ostringstream text;
+        text << "the expression '" << expression_
+             << "' has no finite value at the point (" << point << ") m.";
+        throw EntryError(entry_,
+                         text.str(),
+                         "Write a condition, such as \"x < 1e-6\".");
+      }
+    return value != 0.;
   }
 
   template class Region<2>;

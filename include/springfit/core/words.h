@@ -18,7 +18,7 @@ namespace springfit
 
   /**
    * The candidate nearest to @p word by edit distance (insertions, deletions,
-   * substitutions, case ignored), or an empty string when none is near: more
+   * substitutions, swaps of neighbours, case ignored), or an empty string when none is near: more
    * than a third of the letters, and at least two, would have to change.
    */
   std::string

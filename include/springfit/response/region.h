@@ -24,10 +24,13 @@ namespace springfit
      */
     Region(const std::string &expression, const std::string &entry);
 
+    /** @throws EntryError when the expression has no finite value there. */
     bool
     contains(const dealii::Point<dim> &point) const;
 
   private:
+    const std::string                            expression_;
+    const std::string                            entry_;
     std::unique_ptr<dealii::FunctionParser<dim>> function_;
   };
 } // namespace springfit
