@@ -221,7 +221,8 @@ namespace springfit
       "displacement):\n"
       "case         fit             e_rms    e_max   E_out Pa   nu_out");
     for (const auto &row : rows)
-      session.print(summary_line(row));
+      if (row.fit != "fem" || row.delivered)
+        session.print(summary_line(row));
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {
