@@ -34,13 +34,17 @@ namespace springfit
       return modes;
     }
 
-    /** An orthonormal basis of all displacements, the rigid ones first. */
+    /** Columns @p first .. @p first + @p n of the orthonormal factor of modes. */
     Eigen::MatrixXd
-    full_basis(const Eigen::MatrixXd &modes)
+    orthonormal_columns(const Eigen::MatrixXd &modes,
+                        const Eigen::Index     first,
+                        const Eigen::Index     n)
     {
       const Eigen::HouseholderQR<Eigen::MatrixXd> qr(modes);
-      return qr.householderQ() *
-             Eigen::MatrixXd::Identity(modes.rows(), modes.rows());
+      Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(modes.rows(), n);
+      columns.block(first, 0, n, n).setIdentity();
+      columns.applyOnTheLeft(qr.householderQ());
+      return columns;
     }
   } // namespace
 
@@ -48,13 +52,15 @@ namespace springfit
   rigid_body_modes(const Eigen::MatrixXd &points)
   {
     const Eigen::MatrixXd modes = raw_modes(points);
-    return full_basis(modes).leftCols(modes.cols());
+    return orthonormal_columns(modes, 0, modes.cols());
   }
 
   Eigen::MatrixXd
   deformation_basis(const Eigen::MatrixXd &points)
   {
     const Eigen::MatrixXd modes = raw_modes(points);
-    return full_basis(modes).rightCols(modes.rows() - modes.cols());
+    return orthonormal_columns(modes,
+                               modes.cols(),
+                               modes.rows() - modes.cols());
   }
 } // namespace springfit
