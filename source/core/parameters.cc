@@ -27,7 +27,7 @@ namespace springfit
     split(const std::string &text, const char separator)
     {
       std::vector<std::string> pieces;
-      std::istringstream       stream(text);
+      std::istringstream stream(text);
       for (std::string piece; std::getline(stream, piece, separator);)
         pieces.push_back(trimmed(piece));
       return pieces;
@@ -61,7 +61,7 @@ namespace springfit
 
     /** What a misspelt entry may mean: one of its section, or else another. */
     std::string
-    did_you_mean_entry(const std::string              &path,
+    did_you_mean_entry(const std::string &path,
                        const std::vector<std::string> &declared)
     {
       for (const bool same_section : {true, false})
@@ -127,13 +127,13 @@ namespace springfit
 
     /** deal.II's complaint about a parameter file, in this program's words. */
     InputError
-    explained(const dealii::ExceptionBase    &exception,
+    explained(const dealii::ExceptionBase &exception,
               const std::vector<std::string> &declared)
     {
-      const std::string list  = "'springfit --defaults 2' or '3' lists every ";
-      std::string       what  = message_of(exception);
-      std::string       place = "", entry = "";
-      std::smatch       match;
+      const std::string list = "'springfit --defaults 2' or '3' lists every ";
+      std::string what       = message_of(exception);
+      std::string place = "", entry = "";
+      std::smatch match;
       if (std::regex_match(what,
                            match,
                            std::regex("Line <(\\d+)> of file <(.*?)>?: (.*)")))
@@ -143,7 +143,9 @@ namespace springfit
           what  = std::string(match[3]);
         }
 
-      if (std::regex_search(what, match, std::regex("No entry with name <(.*?)>")))
+      if (std::regex_search(what,
+                            match,
+                            std::regex("No entry with name <(.*?)>")))
         {
           if (entry.empty())
             entry = match[1];
@@ -151,9 +153,8 @@ namespace springfit
                               did_you_mean_entry(entry, declared),
                             list + "entry.");
         }
-      if (std::regex_search(what,
-                            match,
-                            std::regex("no such subsection to be entered: (.*)")))
+      if (std::regex_search(
+            what, match, std::regex("no such subsection to be entered: (.*)")))
         return InputError(place + "there is no section '" + match[1].str() +
                             "'." +
                             did_you_mean(match[1], section_names(declared)),
@@ -184,12 +185,13 @@ namespace springfit
         throw InputError("--set \"" + text + "\" has no equals sign.",
                          "Write --set \"Section/Entry=value\", for example "
                          "--set \"Geometry/Cell size=0.005\".");
-      return {trimmed(text.substr(0, equals)), trimmed(text.substr(equals + 1))};
+      return {trimmed(text.substr(0, equals)),
+              trimmed(text.substr(equals + 1))};
     }
 
     void
-    apply_override(dealii::ParameterHandler       &prm,
-                   const std::string              &text,
+    apply_override(dealii::ParameterHandler &prm,
+                   const std::string &text,
                    const std::vector<std::string> &declared)
     {
       const auto [entry, value] = parse_override(text);
@@ -199,8 +201,8 @@ namespace springfit
                          "Write --set \"Section/Entry=value\"; 'springfit "
                          "--defaults 2' or '3' lists every entry.");
 
-      auto              sections = split(entry, '/');
-      const std::string name     = sections.back();
+      auto sections          = split(entry, '/');
+      const std::string name = sections.back();
       sections.pop_back();
       for (const auto &section : sections)
         prm.enter_subsection(section);
@@ -211,7 +213,7 @@ namespace springfit
       catch (const dealii::ExceptionBase &exception)
         {
           const std::string what = message_of(exception);
-          std::smatch       match;
+          std::smatch match;
           std::regex_search(what, match, std::regex("given pattern <(.*)>"));
           throw InputError("--set \"" + text + "\": '" + value +
                              "' cannot be read.",
@@ -226,14 +228,14 @@ namespace springfit
   scan_parameters(std::istream &file)
   {
     std::vector<ParameterLine> lines;
-    std::vector<std::string>   sections;
-    unsigned int               number = 0;
+    std::vector<std::string> sections;
+    unsigned int number = 0;
     for (std::string line; std::getline(file, line);)
       {
         ++number;
         line = trimmed(line.substr(0, line.find('#')));
         std::istringstream words(line);
-        std::string        first;
+        std::string first;
         words >> first;
         if (first == "subsection" || first == "SUBSECTION")
           sections.push_back(trimmed(line.substr(first.size())));
@@ -245,8 +247,8 @@ namespace springfit
             const auto name   = trimmed(line.substr(3, equals - 3));
             lines.push_back(
               {join(sections, "/") + (sections.empty() ? "" : "/") + name,
-               equals == std::string::npos ? "" :
-                                             trimmed(line.substr(equals + 1)),
+               equals == std::string::npos ? ""
+                                           : trimmed(line.substr(equals + 1)),
                number});
           }
       }
@@ -258,15 +260,21 @@ namespace springfit
   {
     const std::string mend =
       "Name an existing parameter file, for example parameters/cube.prm.";
-    if (!std::filesystem::exists(file))
+    std::error_code error;
+    const auto status = std::filesystem::status(file, error);
+    if (status.type() == std::filesystem::file_type::not_found)
       throw InputError("The parameter file '" + file.string() +
                          "' does not exist.",
                        mend);
-    if (std::filesystem::is_directory(file))
+    if (error)
+      throw InputError("The parameter file '" + file.string() +
+                         "' cannot be read: " + error.message() + '.',
+                       mend);
+    if (std::filesystem::is_directory(status))
       throw InputError("'" + file.string() +
                          "' is a directory, not a parameter file.",
                        mend);
-    if (!std::filesystem::is_regular_file(file))
+    if (!std::filesystem::is_regular_file(status))
       throw InputError("'" + file.string() + "' is not a regular file.",
                        "Save the parameters in a file: it is read more than "
                        "once.");
@@ -296,7 +304,7 @@ namespace springfit
   std::string
   read_top_level_entry(const ParameterSource &source, const std::string &entry)
   {
-    std::string   value;
+    std::string value;
     std::ifstream file(source.file);
     for (const auto &line : scan_parameters(file))
       if (line.entry == entry)
@@ -315,7 +323,7 @@ namespace springfit
         return "--set \"" + text + "\": " + error.what();
 
     std::optional<unsigned int> number;
-    std::ifstream               file(source.file);
+    std::ifstream file(source.file);
     for (const auto &line : scan_parameters(file))
       if (line.entry == error.entry)
         number = line.line;
