@@ -34,16 +34,16 @@ namespace
   struct CommandLine
   {
     ParameterSource source;
-    bool            validate_only = false;
-    std::string     defaults; // "2" or "3", or empty
+    bool validate_only = false;
+    std::string defaults; // "2" or "3", or empty
   };
 
   /** The entries that belong to no section. */
   struct TopLevel
   {
     unsigned int dimension;
-    std::string  study_word       = "compare";
-    std::string  output_directory = "output/springfit";
+    std::string study_word       = "compare";
+    std::string output_directory = "output/springfit";
 
     void
     declare(dealii::ParameterHandler &prm)
@@ -78,8 +78,8 @@ namespace
   {
     if (text != "2" && text != "3")
       throw EntryError("Dimension",
-                       text.empty() ? "it is not given." :
-                                      "'" + text + "' is neither 2 nor 3.",
+                       text.empty() ? "it is not given."
+                                    : "'" + text + "' is neither 2 nor 3.",
                        "Write \"set Dimension = 2\" or \"set Dimension = 3\" "
                        "at the top of the parameter file.");
     return text == "2" ? 2 : 3;
@@ -119,8 +119,8 @@ namespace
   run(const CommandLine &command_line)
   {
     const MPI_Comm communicator = MPI_COMM_WORLD;
-    auto          &prm          = dealii::ParameterAcceptor::prm;
-    TopLevel       top_level{dim};
+    auto &prm                   = dealii::ParameterAcceptor::prm;
+    TopLevel top_level{dim};
     top_level.declare(prm);
     Scene<dim> scene;
     scene.folder = command_line.source.file.parent_path();
@@ -188,8 +188,8 @@ namespace
             check_parameter_file(command_line.source.file);
             dimension = read_top_level_entry(command_line.source, "Dimension");
           }
-        parse_dimension(dimension) == 2 ? run<2>(command_line) :
-                                          run<3>(command_line);
+        parse_dimension(dimension) == 2 ? run<2>(command_line)
+                                        : run<3>(command_line);
         return Status::done;
       }
     catch (const EntryError &error)
@@ -216,9 +216,9 @@ main(int argc, char *argv[])
 
   CommandLine command_line;
   std::string file;
-  CLI::App    app("springfit turns a mesh into springs that come as close as "
-                  "they can to its finite elements, and measures how close.\n"
-                  "Example: springfit parameters/cube.prm");
+  CLI::App app("springfit turns a mesh into springs that come as close as "
+               "they can to its finite elements, and measures how close.\n"
+               "Example: springfit parameters/cube.prm");
   app.add_option("file", file, "parameter file (.prm)");
   app
     .add_option("--set",

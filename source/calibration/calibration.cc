@@ -48,8 +48,8 @@ namespace springfit
     {
       std::ostringstream text;
       text.precision(3);
-      text << singular(kind) << ' ' << cell->active_cell_index()
-           << " (centre " << cell->center() << " m, shape quality "
+      text << singular(kind) << ' ' << cell->active_cell_index() << " (centre "
+           << cell->center() << " m, shape quality "
            << shape_quality(cell_points<dim>(cell), kind) << " of 1)";
       return text.str();
     }
@@ -58,7 +58,7 @@ namespace springfit
     struct TimedFit
     {
       FitResult result;
-      double    seconds;
+      double seconds;
     };
 
     std::vector<double>
@@ -97,11 +97,11 @@ namespace springfit
      */
     template <int dim>
     void
-    check_result(const FitResult         &result,
-                 const FitOptions        &options,
-                 const std::string       &fit_name,
+    check_result(const FitResult &result,
+                 const FitOptions &options,
+                 const std::string &fit_name,
                  const CellIterator<dim> &cell,
-                 const CellKind           kind)
+                 const CellKind kind)
     {
       if (!result.k.allFinite())
         throw RunError("The fit '" + fit_name + "' of " +
@@ -124,14 +124,14 @@ namespace springfit
     /** Fit every distinct cell; the ranks share the work evenly. */
     template <int dim>
     std::vector<TimedFit>
-    fit_distinct(const DistinctCells                  &cells,
+    fit_distinct(const DistinctCells &cells,
                  const std::vector<CellIterator<dim>> &iterators,
-                 const CellKind                        kind,
-                 const Element<dim>                   &element,
-                 const MaterialTable                  &materials,
-                 const Method                          method,
-                 const FitOptions                     &options,
-                 Session                              &session)
+                 const CellKind kind,
+                 const Element<dim> &element,
+                 const MaterialTable &materials,
+                 const Method method,
+                 const FitOptions &options,
+                 Session &session)
     {
       const auto communicator = session.communicator();
       const unsigned int rank =
@@ -143,15 +143,15 @@ namespace springfit
       std::map<unsigned int, std::vector<double>> mine;
       run_collectively(communicator, [&]() {
         CellMatrices<dim> cell_matrices(element);
-        Progress          progress("Fits (" + name + ") of distinct cells",
+        Progress progress("Fits (" + name + ") of distinct cells",
                           (cells.distinct.size() + n_ranks - 1) / n_ranks,
                           rank == 0);
         for (unsigned int c = rank; c < cells.distinct.size(); c += n_ranks)
           {
             const auto &distinct = cells.distinct[c];
             const auto &cell     = iterators[distinct.representative];
-            const auto  start    = std::chrono::steady_clock::now();
-            const auto  problem  = make_fit_problem(
+            const auto start     = std::chrono::steady_clock::now();
+            const auto problem   = make_fit_problem(
               cell_points<dim>(cell),
               kind,
               cell_matrices.stiffness(cell, materials.at(distinct.material)));
@@ -184,21 +184,21 @@ namespace springfit
 
     template <int dim>
     SpringNetwork
-    assemble_network(const Mesh<dim>                      &mesh,
-                     const DistinctCells                  &cells,
+    assemble_network(const Mesh<dim> &mesh,
+                     const DistinctCells &cells,
                      const std::vector<CellIterator<dim>> &iterators,
-                     const std::vector<TimedFit>          &fits,
-                     const Element<dim>                   &element,
-                     const MaterialTable                  &materials)
+                     const std::vector<TimedFit> &fits,
+                     const Element<dim> &element,
+                     const MaterialTable &materials)
     {
-      const auto     &vertices = mesh.triangulation.get_vertices();
+      const auto &vertices = mesh.triangulation.get_vertices();
       Eigen::MatrixXd nodes(dim, vertices.size());
       for (unsigned int v = 0; v < vertices.size(); ++v)
         for (int d = 0; d < dim; ++d)
           nodes(d, v) = vertices[v][d];
 
-      NetworkBuilder            builder(nodes);
-      CellMatrices<dim>         cell_matrices(element);
+      NetworkBuilder builder(nodes);
+      CellMatrices<dim> cell_matrices(element);
       std::vector<unsigned int> cell_nodes;
       for (unsigned int c = 0; c < iterators.size(); ++c)
         {
@@ -220,8 +220,7 @@ namespace springfit
   } // namespace
 
   template <int dim>
-  Calibration<dim>::Calibration()
-    : dealii::ParameterAcceptor("Fit")
+  Calibration<dim>::Calibration() : dealii::ParameterAcceptor("Fit")
   {
     add_parameter("Methods",
                   methods_word_,
@@ -231,8 +230,7 @@ namespace springfit
                   enrichment_word_,
                   "What a cell has besides springs between all pairs of its "
                   "vertices: " +
-                    join(words_of(enrichment_words()), " or ") +
-                    " (no unit).");
+                    join(words_of(enrichment_words()), " or ") + " (no unit).");
     add_parameter("Nonnegative",
                   options_.nonnegative,
                   "Whether every spring of a cell must have a stiffness >= 0 "
@@ -257,20 +255,7 @@ namespace springfit
   void
   Calibration<dim>::check() const
   {
-    const auto methods = split_at_commas(methods_word_);
-    if (methods.empty())
-      throw EntryError("Fit/Methods",
-                       "no fit is given.",
-                       "Give at least one of " + join(words_of(method_words())) +
-                         '.');
-    for (const auto &word : methods)
-      {
-        value_of(method_words(), word, "Fit/Methods");
-        if (std::count(methods.begin(), methods.end(), word) > 1)
-          throw EntryError("Fit/Methods",
-                           "'" + word + "' is given twice.",
-                           "Give it once.");
-      }
+    values_of(method_words(), methods_word_, "Fit/Methods");
     value_of(enrichment_words(), enrichment_word_, "Fit/Enrichment");
     if (!(options_.tolerance > 0. && std::isfinite(options_.tolerance)))
       {
@@ -284,32 +269,33 @@ namespace springfit
 
   template <int dim>
   std::vector<CalibratedNetwork>
-  Calibration<dim>::calibrate(const Mesh<dim>     &mesh,
-                              const Element<dim>  &element,
+  Calibration<dim>::calibrate(const Mesh<dim> &mesh,
+                              const Element<dim> &element,
                               const MaterialTable &materials,
-                              Session             &session) const
+                              Session &session) const
   {
     dealii::Timer search_timer(session.communicator());
-    const auto    cells     = find_distinct_cells(mesh);
-    const auto    iterators = cells_by_index(mesh);
+    const auto cells     = find_distinct_cells(mesh);
+    const auto iterators = cells_by_index(mesh);
     search_timer.stop();
 
     std::vector<CalibratedNetwork> networks;
-    for (const auto &word : split_at_commas(methods_word_))
+    for (const Method method :
+         values_of(method_words(), methods_word_, "Fit/Methods"))
       {
+        const std::string word = word_of(method_words(), method);
         dealii::TimerOutput::Scope scope(session.timer(),
                                          "Calibration, " + word);
-        dealii::Timer              timer(session.communicator());
+        dealii::Timer timer(session.communicator());
 
-        const auto fits =
-          fit_distinct(cells,
-                       iterators,
-                       mesh.cell_kind,
-                       element,
-                       materials,
-                       value_of(method_words(), word, "Fit/Methods"),
-                       options_,
-                       session);
+        const auto fits = fit_distinct(cells,
+                                       iterators,
+                                       mesh.cell_kind,
+                                       element,
+                                       materials,
+                                       method,
+                                       options_,
+                                       session);
         CalibratedNetwork network;
         network.fit        = word;
         network.enrichment = enrichment_word_;

@@ -11,7 +11,7 @@ namespace springfit
   DistinctCells
   find_distinct_cells(const Mesh<dim> &mesh)
   {
-    DistinctCells               cells;
+    DistinctCells cells;
     std::vector<CanonicalShape> shapes; // of the representatives
     std::map<dealii::types::material_id,
              std::unordered_map<ShapeKey, unsigned int>>
@@ -21,8 +21,9 @@ namespace springfit
       {
         const auto shape =
           canonical_shape(cell_points<dim>(cell), mesh.cell_kind);
-        const auto [entry, is_new] = known[cell->material_id()].try_emplace(
-          shape.key, cells.distinct.size());
+        const auto [entry, is_new] =
+          known[cell->material_id()].try_emplace(shape.key,
+                                                 cells.distinct.size());
         const unsigned int distinct = entry->second;
         if (is_new)
           {

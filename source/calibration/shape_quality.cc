@@ -20,14 +20,13 @@ namespace springfit
             return {(v + 1) % 3, (v + 2) % 3};
           case CellKind::tetrahedron:
             // Even permutations of (v, the others) keep the orientation.
-            return v % 2 == 0 ?
-                     std::vector<int>{(v + 1) % 4, (v + 2) % 4, (v + 3) % 4} :
-                     std::vector<int>{(v + 1) % 4, (v + 3) % 4, (v + 2) % 4};
-          default:
-            {
+            return v % 2 == 0
+                     ? std::vector<int>{(v + 1) % 4, (v + 2) % 4, (v + 3) % 4}
+                     : std::vector<int>{(v + 1) % 4, (v + 3) % 4, (v + 2) % 4};
+            default: {
               // Flipping a coordinate mirrors the corner's frame.
               std::vector<int> ends;
-              int              n_flipped = 0;
+              int n_flipped = 0;
               for (int d = 0; d < dimension(kind); ++d)
                 {
                   ends.push_back(v ^ (1 << d));
@@ -44,9 +43,9 @@ namespace springfit
     double
     regular_value(const CellKind kind)
     {
-      return kind == CellKind::triangle    ? std::sqrt(3.) / 2. :
-             kind == CellKind::tetrahedron ? std::sqrt(2.) / 2. :
-                                             1.;
+      return kind == CellKind::triangle      ? std::sqrt(3.) / 2.
+             : kind == CellKind::tetrahedron ? std::sqrt(2.) / 2.
+                                             : 1.;
     }
   } // namespace
 
@@ -57,8 +56,8 @@ namespace springfit
     for (int v = 0; v < n_vertices(kind); ++v)
       {
         Eigen::MatrixXd edges(points.rows(), points.rows());
-        double          lengths = 1.;
-        Eigen::Index    column  = 0;
+        double lengths      = 1.;
+        Eigen::Index column = 0;
         for (const int end : neighbours(kind, v))
           {
             edges.col(column) = points.col(end) - points.col(v);

@@ -24,7 +24,7 @@ namespace springfit
 
     template <int dim>
     Interval
-    extent_along(const Eigen::VectorXd                 &axis,
+    extent_along(const Eigen::VectorXd &axis,
                  const std::vector<dealii::Point<dim>> &vertices)
     {
       Interval extent{1e300, -1e300};
@@ -42,12 +42,12 @@ namespace springfit
 
   template <int dim>
   YoungPoisson
-  delivered_constants(const Mesh<dim>       &mesh,
-                      const Element<dim>    &element,
+  delivered_constants(const Mesh<dim> &mesh,
+                      const Element<dim> &element,
                       const Eigen::VectorXd &axis,
                       const Eigen::MatrixXd &displacement,
                       const Eigen::MatrixXd &forces,
-                      const double           thickness)
+                      const double thickness)
   {
     const Interval object =
       extent_along(axis, mesh.triangulation.get_vertices());
@@ -59,7 +59,7 @@ namespace springfit
                                  element.quadrature,
                                  dealii::update_gradients |
                                    dealii::update_JxW_values);
-    double          volume   = 0.;
+    double volume            = 0.;
     Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(dim, dim);
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {

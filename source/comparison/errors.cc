@@ -19,8 +19,8 @@ namespace springfit
   ErrorNorms
   error_norms(const Eigen::MatrixXd &reference, const Eigen::MatrixXd &model)
   {
-    const Eigen::VectorXd errors  = nodal_errors(reference, model);
-    const double          largest = largest_displacement(reference);
+    const Eigen::VectorXd errors = nodal_errors(reference, model);
+    const double largest         = largest_displacement(reference);
     return {100. * std::sqrt(errors.squaredNorm() / errors.size()) / largest,
             100. * errors.maxCoeff() / largest};
   }

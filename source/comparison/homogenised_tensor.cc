@@ -9,9 +9,9 @@ namespace springfit
   ElasticityTensor
   homogenised_tensor(const SpringNetwork &network, const double volume)
   {
-    const Eigen::Index dim    = network.nodes.rows();
-    ElasticityTensor   tensor = ElasticityTensor::Zero(dim * dim, dim * dim);
-    Eigen::VectorXd    dyad(dim * dim);
+    const Eigen::Index dim  = network.nodes.rows();
+    ElasticityTensor tensor = ElasticityTensor::Zero(dim * dim, dim * dim);
+    Eigen::VectorXd dyad(dim * dim);
     for (std::size_t s = 0; s < network.stiffness.size(); ++s)
       {
         const Eigen::VectorXd d =
@@ -27,9 +27,9 @@ namespace springfit
   IsotropicPart
   isotropic_part(const ElasticityTensor &tensor)
   {
-    const auto   dim = static_cast<Eigen::Index>(std::lround(
-      std::sqrt(static_cast<double>(tensor.rows()))));
-    const double n   = dim;
+    const auto dim = static_cast<Eigen::Index>(
+      std::lround(std::sqrt(static_cast<double>(tensor.rows()))));
+    const double n = dim;
 
     // The two invariants C_iijj and (symmetrised) C_ijij of an isotropic
     // tensor are linear in lambda and mu.

@@ -37,7 +37,7 @@ namespace springfit
       // Each order of the coordinates is a path of edges along the main
       // diagonal.
       std::vector<std::vector<int>> simplices;
-      std::vector<int>              order(dimension(kind));
+      std::vector<int> order(dimension(kind));
       std::iota(order.begin(), order.end(), 0);
       do
         {
@@ -45,8 +45,7 @@ namespace springfit
           for (const int d : order)
             path.push_back(path.back() | (1 << d));
           simplices.push_back(path);
-        }
-      while (std::next_permutation(order.begin(), order.end()));
+      } while (std::next_permutation(order.begin(), order.end()));
       return simplices;
     }
   } // namespace
@@ -60,17 +59,17 @@ namespace springfit
 
   double
   slab_share(const Eigen::MatrixXd &points,
-             const CellKind         kind,
+             const CellKind kind,
              const Eigen::VectorXd &axis,
-             const double           lowest,
-             const double           highest)
+             const double lowest,
+             const double highest)
   {
-    const Eigen::Index dim     = points.rows();
-    const auto         heights = (axis.transpose() * points).eval();
-    double             inside = 0., total = 0.;
+    const Eigen::Index dim = points.rows();
+    const auto heights     = (axis.transpose() * points).eval();
+    double inside = 0., total = 0.;
     for (const auto &simplex : simplices_of(kind))
       {
-        Eigen::MatrixXd     edges(dim, dim);
+        Eigen::MatrixXd edges(dim, dim);
         std::vector<double> h;
         for (Eigen::Index v = 0; v <= dim; ++v)
           {

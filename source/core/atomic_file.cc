@@ -8,7 +8,7 @@
 namespace springfit
 {
   void
-  write_file(const std::filesystem::path               &path,
+  write_file(const std::filesystem::path &path,
              const std::function<void(std::ostream &)> &write)
   {
     const std::filesystem::path temporary = path.string() + ".part";

@@ -27,8 +27,8 @@ namespace springfit
   int
   dimension(const CellKind kind)
   {
-    return kind == CellKind::triangle || kind == CellKind::quadrilateral ? 2 :
-                                                                           3;
+    return kind == CellKind::triangle || kind == CellKind::quadrilateral ? 2
+                                                                         : 3;
   }
 
   int

@@ -23,7 +23,7 @@ namespace springfit
     using Report = std::tuple<int, std::string, std::string>;
 
     Report
-    report(const Outcome      outcome,
+    report(const Outcome outcome,
            const std::string &message = "",
            const std::string &entry   = "")
     {
@@ -54,7 +54,7 @@ namespace springfit
   } // namespace
 
   void
-  run_collectively(const MPI_Comm               communicator,
+  run_collectively(const MPI_Comm communicator,
                    const std::function<void()> &work)
   {
     if (dealii::Utilities::MPI::n_mpi_processes(communicator) == 1)
@@ -77,8 +77,7 @@ namespace springfit
   }
 
   void
-  run_on_root(const MPI_Comm               communicator,
-              const std::function<void()> &work)
+  run_on_root(const MPI_Comm communicator, const std::function<void()> &work)
   {
     run_collectively(communicator, [&]() {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)

@@ -7,8 +7,8 @@
 namespace springfit
 {
   Progress::Progress(const std::string &what,
-                     const std::size_t  n_steps,
-                     const bool         visible)
+                     const std::size_t n_steps,
+                     const bool visible)
     : what_(what)
     , n_steps_(n_steps)
     , visible_(visible && isatty(STDOUT_FILENO))

@@ -13,7 +13,7 @@
 
 namespace springfit
 {
-  Session::Session(const MPI_Comm               communicator,
+  Session::Session(const MPI_Comm communicator,
                    const std::filesystem::path &output_directory)
     : communicator_(communicator)
     , output_directory_(output_directory)
@@ -37,8 +37,7 @@ namespace springfit
       if (!log_file_)
         throw EntryError("Output directory",
                          "the folder '" + output_directory_.string() +
-                           "' cannot be written: " + std::strerror(errno) +
-                           '.',
+                           "' cannot be written: " + std::strerror(errno) + '.',
                          mend);
     });
   }
@@ -105,8 +104,7 @@ namespace springfit
     run_on_root(communicator_, [&]() {
       log_file_.flush();
       if (!log_file_)
-        throw RunError("The file '" +
-                         (output_directory_ / "log.txt").string() +
+        throw RunError("The file '" + (output_directory_ / "log.txt").string() +
                          "' could not be written whole.",
                        "Free space on the disk.");
     });

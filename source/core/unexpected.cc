@@ -16,7 +16,7 @@ namespace springfit
       constexpr std::size_t longest = 300;
 
       std::istringstream words(text);
-      std::string        line;
+      std::string line;
       for (std::string word; words >> word;)
         line += (line.empty() ? "" : " ") + word;
       for (char &c : line)

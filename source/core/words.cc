@@ -32,7 +32,8 @@ namespace springfit
               const std::size_t substituted =
                 previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
               row[j] = std::min({previous[j] + 1, row[j - 1] + 1, substituted});
-              if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+              if (i > 1 && j > 1 && a[i - 1] == b[j - 2] &&
+                  a[i - 2] == b[j - 1])
                 row[j] = std::min(row[j], before[j - 2] + 1);
             }
         }
@@ -41,7 +42,7 @@ namespace springfit
   } // namespace
 
   std::string
-  nearest_word(const std::string              &word,
+  nearest_word(const std::string &word,
                const std::vector<std::string> &candidates)
   {
     std::string best;
@@ -60,7 +61,7 @@ namespace springfit
   }
 
   std::string
-  did_you_mean(const std::string              &word,
+  did_you_mean(const std::string &word,
                const std::vector<std::string> &candidates)
   {
     const std::string nearest = nearest_word(word, candidates);
@@ -80,11 +81,11 @@ namespace springfit
   split_at_commas(const std::string &text)
   {
     std::vector<std::string> pieces;
-    std::size_t              begin = 0;
+    std::size_t begin = 0;
     while (begin <= text.size())
       {
         const std::size_t end   = std::min(text.find(',', begin), text.size());
-        std::string       piece = text.substr(begin, end - begin);
+        std::string piece       = text.substr(begin, end - begin);
         const std::size_t first = piece.find_first_not_of(" \t");
         const std::size_t last  = piece.find_last_not_of(" \t");
         if (first != std::string::npos)

@@ -42,20 +42,23 @@ namespace springfit
       std::map<std::string, std::string> settings;
     };
 
-    std::string in_capitals(std::string text)
+    std::string
+    in_capitals(std::string text)
     {
       for (char &c : text)
         c = std::toupper(static_cast<unsigned char>(c));
       return text;
     }
 
-    std::string trimmed(const std::string &text)
+    std::string
+    trimmed(const std::string &text)
     {
       const auto pieces = split_at_commas(text);
       return pieces.empty() ? "" : pieces.front();
     }
 
-    Keyword parse_keyword(const std::string &line)
+    Keyword
+    parse_keyword(const std::string &line)
     {
       Keyword keyword;
       for (const std::string &piece : split_at_commas(line.substr(1)))
@@ -74,7 +77,8 @@ namespace springfit
 
     // Abaqus' names begin with the shape and end with letters for variants:
     // CPS4R is a quadrilateral like CPE4 and S4.
-    int gmsh_type(const std::string &name)
+    int
+    gmsh_type(const std::string &name)
     {
       static const std::map<std::string, int> types = {
         {"T2D2", 1},   {"T3D2", 1},   {"B21", 1},    {"B31", 1},   {"CPS3", 2},
@@ -99,7 +103,8 @@ namespace springfit
       int n_nodes;
     };
 
-    TypeProperties properties(const int gmsh_type)
+    TypeProperties
+    properties(const int gmsh_type)
     {
       static std::map<int, TypeProperties> known;
       const auto old = known.find(gmsh_type);
@@ -115,7 +120,8 @@ namespace springfit
       return known[gmsh_type] = result;
     }
 
-    unsigned int group_number(AbaqusMesh &mesh, const std::string &name)
+    unsigned int
+    group_number(AbaqusMesh &mesh, const std::string &name)
     {
       const auto known =
         std::find(mesh.groups.begin(), mesh.groups.end(), name);
@@ -129,7 +135,8 @@ namespace springfit
     class Reader
     {
     public:
-      void read(const std::string &line)
+      void
+      read(const std::string &line)
       {
         if (line.rfind("**", 0) == 0 || trimmed(line).empty())
           return;
@@ -142,7 +149,8 @@ namespace springfit
       AbaqusMesh mesh;
 
     private:
-      void start(const Keyword &keyword)
+      void
+      start(const Keyword &keyword)
       {
         keyword_ = keyword;
         numbers_.clear();
@@ -153,7 +161,8 @@ namespace springfit
           type_ = gmsh_type(keyword_.settings["TYPE"]);
       }
 
-      void read_data(const std::vector<std::string> &pieces)
+      void
+      read_data(const std::vector<std::string> &pieces)
       {
         if (keyword_.word == "NODE")
           {
@@ -170,7 +179,8 @@ namespace springfit
       }
 
       // The nodes of an element may go on in the next line.
-      void read_element(const std::vector<std::string> &pieces)
+      void
+      read_element(const std::vector<std::string> &pieces)
       {
         for (const std::string &piece : pieces)
           if (!piece.empty())
@@ -187,7 +197,8 @@ namespace springfit
         numbers_.clear();
       }
 
-      void read_set(const std::vector<std::string> &pieces)
+      void
+      read_set(const std::vector<std::string> &pieces)
       {
         std::vector<std::size_t> members;
         for (const std::string &piece : pieces)
@@ -213,7 +224,8 @@ namespace springfit
       std::vector<std::size_t> numbers_;
     };
 
-    void check_nodes(const AbaqusMesh &mesh)
+    void
+    check_nodes(const AbaqusMesh &mesh)
     {
       std::vector<std::size_t> nodes = mesh.nodes;
       std::sort(nodes.begin(), nodes.end());
@@ -226,10 +238,11 @@ namespace springfit
     }
 
     // A group of elements of several types has several entities.
-    void add_to_group(const int dim,
-                      const int entity,
-                      const int group,
-                      const std::string &name)
+    void
+    add_to_group(const int dim,
+                 const int entity,
+                 const int group,
+                 const std::string &name)
     {
       std::vector<int> members = {entity};
       gmsh::vectorpair groups;
@@ -246,8 +259,8 @@ namespace springfit
       gmsh::model::setPhysicalName(dim, group, name);
     }
 
-    void add_block(const std::vector<const Element *> &elements,
-                   const int entity)
+    void
+    add_block(const std::vector<const Element *> &elements, const int entity)
     {
       const int type = elements.front()->type;
       std::vector<std::size_t> numbers, nodes;
@@ -262,7 +275,8 @@ namespace springfit
       gmsh::model::mesh::addElementsByType(entity, type, numbers, nodes);
     }
 
-    void fill_gmsh(const AbaqusMesh &mesh)
+    void
+    fill_gmsh(const AbaqusMesh &mesh)
     {
       // Elements of the same group and type, each for one entity of gmsh.
       std::map<std::pair<unsigned int, int>, std::vector<const Element *>>
@@ -296,7 +310,8 @@ namespace springfit
   } // namespace
 
 
-  void open_abaqus_file(const std::filesystem::path &file)
+  void
+  open_abaqus_file(const std::filesystem::path &file)
   {
     std::ifstream stream(file);
     Reader reader;

@@ -10,21 +10,24 @@ namespace springfit
 {
   namespace
   {
-    double triangle_area(const dealii::Point<3> &a,
-                         const dealii::Point<3> &b,
-                         const dealii::Point<3> &c)
+    double
+    triangle_area(const dealii::Point<3> &a,
+                  const dealii::Point<3> &b,
+                  const dealii::Point<3> &c)
     {
       return 0.5 * dealii::cross_product_3d(b - a, c - a).norm();
     }
 
-    double area_of(const dealii::Triangulation<2>::face_iterator &face)
+    double
+    area_of(const dealii::Triangulation<2>::face_iterator &face)
     {
       return (face->vertex(1) - face->vertex(0)).norm();
     }
 
     // A warped quadrilateral has no area of its own (and deal.II refuses to
     // measure it): the mean of the two pairs of triangles that span it.
-    double area_of(const dealii::Triangulation<3>::face_iterator &face)
+    double
+    area_of(const dealii::Triangulation<3>::face_iterator &face)
     {
       const auto v = [&](const unsigned int i) { return face->vertex(i); };
       if (face->n_vertices() == 3)
@@ -38,7 +41,8 @@ namespace springfit
 
 
   template <int dim>
-  std::vector<BoundaryRow> boundary_table(const Mesh<dim> &mesh)
+  std::vector<BoundaryRow>
+  boundary_table(const Mesh<dim> &mesh)
   {
     std::map<dealii::types::boundary_id, BoundaryRow> rows;
     for (const auto &face : mesh.triangulation.active_face_iterators())
@@ -86,7 +90,8 @@ namespace springfit
 
 
   template <int dim>
-  std::string format_boundary_table(const std::vector<BoundaryRow> &table)
+  std::string
+  format_boundary_table(const std::vector<BoundaryRow> &table)
   {
     std::vector<TableLine> lines;
     for (const BoundaryRow &row : table)
@@ -99,8 +104,10 @@ namespace springfit
   }
 
 
-  template std::vector<BoundaryRow> boundary_table(const Mesh<2> &);
-  template std::vector<BoundaryRow> boundary_table(const Mesh<3> &);
+  template std::vector<BoundaryRow>
+  boundary_table(const Mesh<2> &);
+  template std::vector<BoundaryRow>
+  boundary_table(const Mesh<3> &);
   template std::set<dealii::types::boundary_id>
   find_boundaries(const Mesh<2> &,
                   const std::vector<std::string> &,

@@ -27,7 +27,8 @@ namespace springfit
   {
     using Counts = std::array<unsigned int, 3>;
 
-    Counts n_cells_along(const ObjectRequest &request)
+    Counts
+    n_cells_along(const ObjectRequest &request)
     {
       Counts n = {{1, 1, 0}};
       for (int d = 0; d < request.dim; ++d)
@@ -35,9 +36,10 @@ namespace springfit
       return n;
     }
 
-    void add_vertices(MeshDescription &mesh,
-                      const ObjectRequest &request,
-                      const Counts &n)
+    void
+    add_vertices(MeshDescription &mesh,
+                 const ObjectRequest &request,
+                 const Counts &n)
     {
       const double height = request.dim == 3 ? request.size[2] : 0.;
       for (unsigned int k = 0; k <= n[2]; ++k)
@@ -48,7 +50,8 @@ namespace springfit
                                       n[2] > 0 ? height * k / n[2] : 0.}});
     }
 
-    MeshDescription structured_box(const ObjectRequest &request)
+    MeshDescription
+    structured_box(const ObjectRequest &request)
     {
       const Counts n = n_cells_along(request);
       MeshDescription mesh;
@@ -69,7 +72,8 @@ namespace springfit
       return mesh;
     }
 
-    MeshDescription box_of_simplices(const ObjectRequest &request)
+    MeshDescription
+    box_of_simplices(const ObjectRequest &request)
     {
       const auto &size = request.size;
       const GmshSession gmsh_session;
@@ -84,7 +88,8 @@ namespace springfit
     }
 
     // gmsh's vertices lie on the sides up to rounding error only.
-    void snap_to_sides(MeshDescription &mesh, const std::vector<double> &size)
+    void
+    snap_to_sides(MeshDescription &mesh, const std::vector<double> &size)
     {
       for (MeshPoint &vertex : mesh.vertices)
         for (unsigned int d = 0; d < size.size(); ++d)
@@ -93,8 +98,9 @@ namespace springfit
               vertex[d] = side;
     }
 
-    unsigned int side_of(const std::vector<MeshPoint> &points,
-                         const std::vector<double> &size)
+    unsigned int
+    side_of(const std::vector<MeshPoint> &points,
+            const std::vector<double> &size)
     {
       for (unsigned int d = 0; d < size.size(); ++d)
         for (unsigned int end = 0; end < 2; ++end)
@@ -107,13 +113,15 @@ namespace springfit
   } // namespace
 
 
-  void check_box(const ObjectRequest &request)
+  void
+  check_box(const ObjectRequest &request)
   {
     check_sizes(request);
   }
 
 
-  MeshDescription describe_box(const ObjectRequest &request)
+  MeshDescription
+  describe_box(const ObjectRequest &request)
   {
     MeshDescription mesh = is_simplex(request.cell_kind)
                              ? box_of_simplices(request)

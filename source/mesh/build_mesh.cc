@@ -49,8 +49,9 @@ namespace springfit
     // By vertices rather than through SubCellData: deal.II refuses a
     // description of faces that are not on the boundary.
     template <int dim>
-    void set_boundary_ids(dealii::Triangulation<dim> &triangulation,
-                          const MeshDescription &description)
+    void
+    set_boundary_ids(dealii::Triangulation<dim> &triangulation,
+                     const MeshDescription &description)
     {
       std::map<std::vector<unsigned int>, unsigned int> id_of_face;
       for (const BoundaryFacet &facet : description.facets)
@@ -76,8 +77,8 @@ namespace springfit
 
 
   template <int dim>
-  std::unique_ptr<Mesh<dim>> build_mesh(const MeshDescription &description,
-                                        const unsigned int n_ranks)
+  std::unique_ptr<Mesh<dim>>
+  build_mesh(const MeshDescription &description, const unsigned int n_ranks)
   {
     auto mesh       = std::make_unique<Mesh<dim>>();
     mesh->cell_kind = description.cell_kind;
@@ -100,8 +101,8 @@ namespace springfit
   }
 
 
-  template std::unique_ptr<Mesh<2>> build_mesh<2>(const MeshDescription &,
-                                                  unsigned int);
-  template std::unique_ptr<Mesh<3>> build_mesh<3>(const MeshDescription &,
-                                                  unsigned int);
+  template std::unique_ptr<Mesh<2>>
+  build_mesh<2>(const MeshDescription &, unsigned int);
+  template std::unique_ptr<Mesh<3>>
+  build_mesh<3>(const MeshDescription &, unsigned int);
 } // namespace springfit

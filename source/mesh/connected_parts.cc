@@ -10,7 +10,8 @@ namespace springfit
     std::iota(parents_.begin(), parents_.end(), 0);
   }
 
-  unsigned int ConnectedParts::root(unsigned int node) const
+  unsigned int
+  ConnectedParts::root(unsigned int node) const
   {
     while (parents_[node] != node)
       {
@@ -20,14 +21,16 @@ namespace springfit
     return node;
   }
 
-  void ConnectedParts::connect(const unsigned int a, const unsigned int b)
+  void
+  ConnectedParts::connect(const unsigned int a, const unsigned int b)
   {
     const unsigned int root_a          = root(a);
     const unsigned int root_b          = root(b);
     parents_[std::max(root_a, root_b)] = std::min(root_a, root_b);
   }
 
-  std::vector<unsigned int> ConnectedParts::part_of_nodes() const
+  std::vector<unsigned int>
+  ConnectedParts::part_of_nodes() const
   {
     // A root is the smallest node of its part, so it is met first.
     std::vector<unsigned int> parts(parents_.size());

@@ -42,7 +42,8 @@ namespace springfit
     };
 
     // The point of the block at u, v in [-1, 1], on a disc of radius 1.
-    PlanePoint block_point(const double u, const double v)
+    PlanePoint
+    block_point(const double u, const double v)
     {
       const double straight = (1. - bulge) / std::sqrt(2.);
       return {
@@ -51,7 +52,8 @@ namespace springfit
     }
 
     // Positions i, j of the block's vertices around it, counter-clockwise.
-    std::vector<std::array<unsigned int, 2>> block_rim(const unsigned int n)
+    std::vector<std::array<unsigned int, 2>>
+    block_rim(const unsigned int n)
     {
       std::vector<std::array<unsigned int, 2>> rim;
       for (unsigned int i = 0; i < n; ++i)
@@ -65,7 +67,8 @@ namespace springfit
       return rim;
     }
 
-    void add_block(Disc &disc, const unsigned int n)
+    void
+    add_block(Disc &disc, const unsigned int n)
     {
       for (unsigned int j = 0; j <= n; ++j)
         for (unsigned int i = 0; i <= n; ++i)
@@ -80,7 +83,8 @@ namespace springfit
           }
     }
 
-    void add_rings(Disc &disc, const unsigned int n, const unsigned int m)
+    void
+    add_rings(Disc &disc, const unsigned int n, const unsigned int m)
     {
       std::vector<unsigned int> inner;
       for (const auto &[i, j] : block_rim(n))
@@ -113,7 +117,8 @@ namespace springfit
     }
 
     /** A disc of radius 1 of n^2 + 4 n m quadrilaterals. */
-    Disc make_disc(const unsigned int n, const unsigned int m)
+    Disc
+    make_disc(const unsigned int n, const unsigned int m)
     {
       Disc disc;
       add_block(disc, n);
@@ -124,7 +129,8 @@ namespace springfit
     // The counts that give the cells about the lengths asked for along the
     // circle (in the mean of the block's side and the arc outside) and along
     // the radius (in the mean over the circle).
-    Disc disc_of_request(const ObjectRequest &request)
+    Disc
+    disc_of_request(const ObjectRequest &request)
     {
       const double radius = 0.5 * request.size[1];
       const double side   = 2. * block_point(1., 1.)[0];
@@ -135,7 +141,8 @@ namespace springfit
         n_intervals(radius * depth, cell_size_along(request, 2)));
     }
 
-    MeshDescription layers_of_hexahedra(const ObjectRequest &request)
+    MeshDescription
+    layers_of_hexahedra(const ObjectRequest &request)
     {
       const Disc disc = disc_of_request(request);
       const unsigned int n_layers =
@@ -160,7 +167,8 @@ namespace springfit
       return mesh;
     }
 
-    MeshDescription cylinder_of_tetrahedra(const ObjectRequest &request)
+    MeshDescription
+    cylinder_of_tetrahedra(const ObjectRequest &request)
     {
       const GmshSession gmsh_session;
       gmsh::model::occ::addCylinder(
@@ -171,7 +179,8 @@ namespace springfit
       return read_gmsh_cells("The cylinder", 3).mesh;
     }
 
-    void snap_to_ends(MeshDescription &mesh, const double height)
+    void
+    snap_to_ends(MeshDescription &mesh, const double height)
     {
       for (MeshPoint &vertex : mesh.vertices)
         for (const double end : {0., height})
@@ -179,8 +188,8 @@ namespace springfit
             vertex[0] = end;
     }
 
-    unsigned int side_of(const std::vector<MeshPoint> &points,
-                         const double height)
+    unsigned int
+    side_of(const std::vector<MeshPoint> &points, const double height)
     {
       const auto lie_at = [&](const double x) {
         return std::all_of(points.begin(), points.end(), [&](const auto &p) {
@@ -192,7 +201,8 @@ namespace springfit
   } // namespace
 
 
-  void check_cylinder(const ObjectRequest &request)
+  void
+  check_cylinder(const ObjectRequest &request)
   {
     if (request.dim != 3)
       throw EntryError("Geometry/Object",
@@ -208,7 +218,8 @@ namespace springfit
   }
 
 
-  MeshDescription describe_cylinder(const ObjectRequest &request)
+  MeshDescription
+  describe_cylinder(const ObjectRequest &request)
   {
     MeshDescription mesh = is_simplex(request.cell_kind)
                              ? cylinder_of_tetrahedra(request)

@@ -20,14 +20,16 @@ namespace springfit
       unsigned int number;                  // in the order of the cells
       unsigned int cell;
 
-      bool operator<(const Side &other) const
+      bool
+      operator<(const Side &other) const
       {
         return vertices != other.vertices ? vertices < other.vertices
                                           : number < other.number;
       }
     };
 
-    std::vector<Side> all_sides(const MeshDescription &mesh)
+    std::vector<Side>
+    all_sides(const MeshDescription &mesh)
     {
       const auto &sides = sides_of(mesh.cell_kind);
       std::vector<Side> result;
@@ -48,7 +50,8 @@ namespace springfit
   } // namespace
 
 
-  const std::vector<std::vector<unsigned int>> &sides_of(const CellKind kind)
+  const std::vector<std::vector<unsigned int>> &
+  sides_of(const CellKind kind)
   {
     using Sides = std::vector<std::vector<unsigned int>>;
 
@@ -116,7 +119,8 @@ namespace springfit
   }
 
 
-  void label_boundary(
+  void
+  label_boundary(
     MeshDescription &mesh,
     const std::function<unsigned int(const std::vector<MeshPoint> &)> &id_of)
   {

@@ -20,7 +20,8 @@ namespace springfit
 {
   namespace
   {
-    std::string name_of(const ObjectRequest &request)
+    std::string
+    name_of(const ObjectRequest &request)
     {
       return "Mesh file '" + request.file.string() + "'";
     }
@@ -37,8 +38,9 @@ namespace springfit
         std::cout.rdbuf(buffer_);
       }
 
-      QuietScreen(const QuietScreen &)            = delete;
-      QuietScreen &operator=(const QuietScreen &) = delete;
+      QuietScreen(const QuietScreen &) = delete;
+      QuietScreen &
+      operator=(const QuietScreen &) = delete;
 
     private:
       std::streambuf *const buffer_;
@@ -46,7 +48,8 @@ namespace springfit
 
     // What gmsh does, with its complaint as the message when it fails.
     template <typename Action>
-    void run_gmsh(const std::string &name, const Action &action)
+    void
+    run_gmsh(const std::string &name, const Action &action)
     {
       const QuietScreen quiet;
       std::string complaint;
@@ -74,14 +77,16 @@ namespace springfit
         ".step, .brep.");
     }
 
-    bool is_unmeshed_geometry()
+    bool
+    is_unmeshed_geometry()
     {
       return gmsh::model::getDimension() > 0 &&
              n_gmsh_elements(1) + n_gmsh_elements(2) + n_gmsh_elements(3) == 0;
     }
 
     // Refuse to mesh what would take hours: the box around the geometry tells.
-    void check_n_cells_of_geometry(const ObjectRequest &request)
+    void
+    check_n_cells_of_geometry(const ObjectRequest &request)
     {
       double low[3], high[3];
       gmsh::model::getBoundingBox(
@@ -93,7 +98,8 @@ namespace springfit
       check_n_cells(estimate_n_cells(box));
     }
 
-    void mesh_geometry(const ObjectRequest &request)
+    void
+    mesh_geometry(const ObjectRequest &request)
     {
       const int dim = gmsh::model::getDimension();
       if (dim != request.dim)
@@ -126,7 +132,8 @@ namespace springfit
       mesh_gmsh_model(name_of(request), request.dim);
     }
 
-    std::string found_dimensions()
+    std::string
+    found_dimensions()
     {
       std::vector<std::string> found;
       for (int d = 1; d <= 3; ++d)
@@ -136,7 +143,8 @@ namespace springfit
       return found.empty() ? "no elements at all" : join(found, " and ");
     }
 
-    void check_dimension(const std::string &name, const int dim)
+    void
+    check_dimension(const std::string &name, const int dim)
     {
       if (n_gmsh_elements(dim) > 0 && (dim == 3 || n_gmsh_elements(3) == 0))
         return;
@@ -171,7 +179,8 @@ namespace springfit
     }
 
     // gmsh's plane meshes may lie at any z.
-    void put_into_plane(MeshDescription &mesh)
+    void
+    put_into_plane(MeshDescription &mesh)
     {
       double low = mesh.vertices[0][2], high = low, extent = 0.;
       for (const MeshPoint &vertex : mesh.vertices)
@@ -195,7 +204,8 @@ namespace springfit
         vertex[2] = 0.;
     }
 
-    void scale_to_metres(MeshDescription &mesh, const double scale)
+    void
+    scale_to_metres(MeshDescription &mesh, const double scale)
     {
       for (MeshPoint &vertex : mesh.vertices)
         for (double &x : vertex)
@@ -204,7 +214,8 @@ namespace springfit
   } // namespace
 
 
-  void check_file(const ObjectRequest &request)
+  void
+  check_file(const ObjectRequest &request)
   {
     if (request.file.empty())
       throw EntryError("Geometry/File",
@@ -220,7 +231,8 @@ namespace springfit
   }
 
 
-  void check_file_is_readable(const ObjectRequest &request)
+  void
+  check_file_is_readable(const ObjectRequest &request)
   {
     const auto &file       = request.file;
     const std::string name = "'" + file.string() + "'";
@@ -242,7 +254,8 @@ namespace springfit
   }
 
 
-  MeshDescription describe_file(const ObjectRequest &request)
+  MeshDescription
+  describe_file(const ObjectRequest &request)
   {
     check_file_is_readable(request);
     const std::string name = name_of(request);

@@ -13,7 +13,8 @@ namespace springfit
 {
   namespace
   {
-    std::string help_on_objects()
+    std::string
+    help_on_objects()
     {
       std::string text = "The object. ";
       for (const Object &object : objects())
@@ -21,7 +22,8 @@ namespace springfit
       return text + "No unit.";
     }
 
-    std::string help_on_cells()
+    std::string
+    help_on_cells()
     {
       return "The cells: " + join(words_of(cell_kind_words())) +
              ". Boxes and cylinders have structured quadrilaterals and "
@@ -78,7 +80,8 @@ namespace springfit
 
 
   template <int dim>
-  void Geometry<dim>::check() const
+  void
+  Geometry<dim>::check() const
   {
     const Object &object        = find_object(object_);
     const ObjectRequest request = this->request("");

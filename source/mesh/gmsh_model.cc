@@ -11,7 +11,8 @@ namespace springfit
 {
   namespace
   {
-    const std::map<int, CellKind> &kind_of_element_type()
+    const std::map<int, CellKind> &
+    kind_of_element_type()
     {
       static const std::map<int, CellKind> kinds = {{2, CellKind::triangle},
                                                     {3,
@@ -22,7 +23,8 @@ namespace springfit
     }
 
     // gmsh numbers around a face, deal.II along the axes.
-    const std::vector<unsigned int> &gmsh_order(const CellKind kind)
+    const std::vector<unsigned int> &
+    gmsh_order(const CellKind kind)
     {
       static const std::map<CellKind, std::vector<unsigned int>> orders = {
         {CellKind::triangle, {0, 1, 2}},
@@ -39,7 +41,8 @@ namespace springfit
       int n_nodes;
     };
 
-    ElementType properties(const int type)
+    ElementType
+    properties(const int type)
     {
       ElementType result;
       int dim, n_primary_nodes;
@@ -62,7 +65,8 @@ namespace springfit
       std::vector<std::size_t> nodes;
     };
 
-    std::map<int, std::vector<Elements>> elements_by_type(const int dim)
+    std::map<int, std::vector<Elements>>
+    elements_by_type(const int dim)
     {
       std::map<int, std::vector<Elements>> result;
       gmsh::vectorpair entities;
@@ -80,7 +84,8 @@ namespace springfit
       return result;
     }
 
-    std::size_t n_elements(const std::vector<Elements> &groups)
+    std::size_t
+    n_elements(const std::vector<Elements> &groups)
     {
       std::size_t n = 0;
       for (const Elements &elements : groups)
@@ -98,8 +103,9 @@ namespace springfit
       return join(found);
     }
 
-    void check_types(const std::string &name,
-                     const std::map<int, std::vector<Elements>> &elements)
+    void
+    check_types(const std::string &name,
+                const std::map<int, std::vector<Elements>> &elements)
     {
       for (const auto &[type, groups] : elements)
         if (properties(type).order > 1)
@@ -119,7 +125,8 @@ namespace springfit
                          "Use " + join(words_of(cell_kind_words())) + ".");
     }
 
-    void add_cells(GmshCells &result, const Elements &elements)
+    void
+    add_cells(GmshCells &result, const Elements &elements)
     {
       MeshDescription &mesh = result.mesh;
       const auto &order     = gmsh_order(mesh.cell_kind);
@@ -137,7 +144,8 @@ namespace springfit
     }
 
     /** Fill the vertices with the nodes that @p groups use. */
-    void add_vertices(GmshCells &result, const std::vector<Elements> &groups)
+    void
+    add_vertices(GmshCells &result, const std::vector<Elements> &groups)
     {
       std::vector<std::size_t> used;
       for (const Elements &elements : groups)
@@ -181,14 +189,16 @@ namespace springfit
   }
 
 
-  void set_gmsh_cell_size(const double cell_size)
+  void
+  set_gmsh_cell_size(const double cell_size)
   {
     gmsh::option::setNumber("Mesh.MeshSizeMin", cell_size);
     gmsh::option::setNumber("Mesh.MeshSizeMax", cell_size);
   }
 
 
-  void mesh_gmsh_model(const std::string &name, const int dim)
+  void
+  mesh_gmsh_model(const std::string &name, const int dim)
   {
     try
       {
@@ -204,7 +214,8 @@ namespace springfit
   }
 
 
-  GmshCells read_gmsh_cells(const std::string &name, const int dim)
+  GmshCells
+  read_gmsh_cells(const std::string &name, const int dim)
   {
     const auto elements = elements_by_type(dim);
     GmshCells result;
@@ -225,7 +236,8 @@ namespace springfit
   }
 
 
-  std::size_t n_gmsh_elements(const int dim)
+  std::size_t
+  n_gmsh_elements(const int dim)
   {
     std::vector<int> types;
     std::vector<std::vector<std::size_t>> numbers, nodes;

@@ -10,7 +10,8 @@
 namespace springfit
 {
   template <int dim>
-  std::vector<MaterialRow> material_table(const Mesh<dim> &mesh)
+  std::vector<MaterialRow>
+  material_table(const Mesh<dim> &mesh)
   {
     std::map<dealii::types::material_id, MaterialRow> rows;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -33,9 +34,10 @@ namespace springfit
 
 
   template <int dim>
-  dealii::types::material_id find_material(const Mesh<dim> &mesh,
-                                           const std::string &id_or_name,
-                                           const std::string &entry)
+  dealii::types::material_id
+  find_material(const Mesh<dim> &mesh,
+                const std::string &id_or_name,
+                const std::string &entry)
   {
     std::vector<IdAndName> known;
     for (const MaterialRow &row : material_table(mesh))
@@ -45,7 +47,8 @@ namespace springfit
 
 
   template <int dim>
-  std::string format_material_table(const std::vector<MaterialRow> &table)
+  std::string
+  format_material_table(const std::vector<MaterialRow> &table)
   {
     std::vector<TableLine> lines;
     for (const MaterialRow &row : table)
@@ -58,8 +61,10 @@ namespace springfit
   }
 
 
-  template std::vector<MaterialRow> material_table(const Mesh<2> &);
-  template std::vector<MaterialRow> material_table(const Mesh<3> &);
+  template std::vector<MaterialRow>
+  material_table(const Mesh<2> &);
+  template std::vector<MaterialRow>
+  material_table(const Mesh<3> &);
   template dealii::types::material_id
   find_material(const Mesh<2> &, const std::string &, const std::string &);
   template dealii::types::material_id

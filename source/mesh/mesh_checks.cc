@@ -25,25 +25,29 @@ namespace springfit
       folded
     };
 
-    MeshPoint difference(const MeshPoint &a, const MeshPoint &b)
+    MeshPoint
+    difference(const MeshPoint &a, const MeshPoint &b)
     {
       return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
     }
 
-    double norm(const MeshPoint &a)
+    double
+    norm(const MeshPoint &a)
     {
       return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
     }
 
-    double scaled_determinant(const MeshPoint &a, const MeshPoint &b)
+    double
+    scaled_determinant(const MeshPoint &a, const MeshPoint &b)
     {
       const double scale = norm(a) * norm(b);
       return scale > 0. ? (a[0] * b[1] - a[1] * b[0]) / scale : 0.;
     }
 
-    double scaled_determinant(const MeshPoint &a,
-                              const MeshPoint &b,
-                              const MeshPoint &c)
+    double
+    scaled_determinant(const MeshPoint &a,
+                       const MeshPoint &b,
+                       const MeshPoint &c)
     {
       const double scale = norm(a) * norm(b) * norm(c);
       return scale > 0. ? (a[0] * (b[1] * c[2] - b[2] * c[1]) +
@@ -53,8 +57,8 @@ namespace springfit
                         : 0.;
     }
 
-    Orientation orientation_of(const MeshDescription &mesh,
-                               const unsigned int cell)
+    Orientation
+    orientation_of(const MeshDescription &mesh, const unsigned int cell)
     {
       const auto values = scaled_jacobians(mesh, cell);
       const double low  = *std::min_element(values.begin(), values.end());
@@ -69,7 +73,8 @@ namespace springfit
     }
 
     // The order that makes the mirror image of a cell.
-    const std::vector<unsigned int> &mirrored_order(const CellKind kind)
+    const std::vector<unsigned int> &
+    mirrored_order(const CellKind kind)
     {
       static const std::map<CellKind, std::vector<unsigned int>> orders = {
         {CellKind::triangle, {0, 2, 1}},
@@ -79,7 +84,8 @@ namespace springfit
       return orders.at(kind);
     }
 
-    void mirror_numbering(MeshDescription &mesh, const unsigned int cell)
+    void
+    mirror_numbering(MeshDescription &mesh, const unsigned int cell)
     {
       const auto &order   = mirrored_order(mesh.cell_kind);
       unsigned int *first = mesh.cell(cell);
@@ -88,14 +94,16 @@ namespace springfit
         first[i] = old[order[i]];
     }
 
-    std::string count(const unsigned int n, const MeshDescription &mesh)
+    std::string
+    count(const unsigned int n, const MeshDescription &mesh)
     {
       return std::to_string(n) + " of " + std::to_string(mesh.n_cells()) +
              " cells " + (n == 1 ? "is" : "are");
     }
 
     /** First cell of each group and, at the end, the number of cells. */
-    std::vector<unsigned int> group_limits(const MeshDescription &mesh)
+    std::vector<unsigned int>
+    group_limits(const MeshDescription &mesh)
     {
       std::vector<unsigned int> limits = mesh.group_begins;
       if (limits.empty())
@@ -104,11 +112,12 @@ namespace springfit
       return limits;
     }
 
-    void refuse(const MeshDescription &mesh,
-                const std::vector<Orientation> &orientations,
-                const Orientation bad,
-                const std::string &text,
-                const std::string &mend)
+    void
+    refuse(const MeshDescription &mesh,
+           const std::vector<Orientation> &orientations,
+           const Orientation bad,
+           const std::string &text,
+           const std::string &mend)
     {
       const auto first =
         std::find(orientations.begin(), orientations.end(), bad);
@@ -124,8 +133,8 @@ namespace springfit
   } // namespace
 
 
-  std::string describe_cell(const MeshDescription &mesh,
-                            const unsigned int cell)
+  std::string
+  describe_cell(const MeshDescription &mesh, const unsigned int cell)
   {
     const int n_corners = n_vertices(mesh.cell_kind);
     MeshPoint centre    = {{0., 0., 0.}};
@@ -145,8 +154,8 @@ namespace springfit
   }
 
 
-  std::vector<double> scaled_jacobians(const MeshDescription &mesh,
-                                       const unsigned int cell)
+  std::vector<double>
+  scaled_jacobians(const MeshDescription &mesh, const unsigned int cell)
   {
     const unsigned int *const corners = mesh.cell(cell);
     const auto edge = [&](const unsigned int from, const unsigned int to) {
@@ -183,7 +192,8 @@ namespace springfit
   }
 
 
-  void check_not_empty(const MeshDescription &mesh)
+  void
+  check_not_empty(const MeshDescription &mesh)
   {
     if (mesh.cells.empty())
       throw InputError(mesh.name + " has no cells.",
@@ -191,7 +201,8 @@ namespace springfit
   }
 
 
-  void check_coordinates(const MeshDescription &mesh)
+  void
+  check_coordinates(const MeshDescription &mesh)
   {
     for (unsigned int v = 0; v < mesh.vertices.size(); ++v)
       for (const double x : mesh.vertices[v])
@@ -203,7 +214,8 @@ namespace springfit
   }
 
 
-  void check_vertices_are_used(const MeshDescription &mesh)
+  void
+  check_vertices_are_used(const MeshDescription &mesh)
   {
     std::vector<bool> used(mesh.vertices.size(), false);
     for (const unsigned int v : mesh.cells)
@@ -217,7 +229,8 @@ namespace springfit
   }
 
 
-  void check_no_duplicate_cells(const MeshDescription &mesh)
+  void
+  check_no_duplicate_cells(const MeshDescription &mesh)
   {
     const unsigned int n_corners = n_vertices(mesh.cell_kind);
 
@@ -247,7 +260,8 @@ namespace springfit
   }
 
 
-  void check_orientation(MeshDescription &mesh)
+  void
+  check_orientation(MeshDescription &mesh)
   {
     std::vector<Orientation> orientations;
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
@@ -296,7 +310,8 @@ namespace springfit
   }
 
 
-  std::vector<unsigned int> connected_parts(const MeshDescription &mesh)
+  std::vector<unsigned int>
+  connected_parts(const MeshDescription &mesh)
   {
     ConnectedParts parts(mesh.vertices.size());
     const int n_corners = n_vertices(mesh.cell_kind);
@@ -317,7 +332,8 @@ namespace springfit
   }
 
 
-  void check_connection(MeshDescription &mesh)
+  void
+  check_connection(MeshDescription &mesh)
   {
     const auto parts = connected_parts(mesh);
     if (parts.size() < 2)
@@ -337,7 +353,8 @@ namespace springfit
   }
 
 
-  void check_mesh(MeshDescription &mesh)
+  void
+  check_mesh(MeshDescription &mesh)
   {
     check_not_empty(mesh);
     check_coordinates(mesh);

@@ -7,10 +7,11 @@
 
 namespace springfit
 {
-  std::vector<unsigned int> find_ids(const std::vector<IdAndName> &known,
-                                     const std::string &word,
-                                     const std::string &what,
-                                     const std::string &entry)
+  std::vector<unsigned int>
+  find_ids(const std::vector<IdAndName> &known,
+           const std::string &word,
+           const std::string &what,
+           const std::string &entry)
   {
     std::vector<unsigned int> ids;
     std::vector<std::string> names, listed;
@@ -33,8 +34,9 @@ namespace springfit
   }
 
 
-  std::string format_table(const std::vector<std::string> &headlines,
-                           const std::vector<TableLine> &lines)
+  std::string
+  format_table(const std::vector<std::string> &headlines,
+               const std::vector<TableLine> &lines)
   {
     std::vector<std::vector<std::string>> rows = {headlines};
     for (const TableLine &line : lines)

@@ -3,7 +3,8 @@
 
 namespace springfit
 {
-  const std::vector<Object> &objects()
+  const std::vector<Object> &
+  objects()
   {
     static const std::vector<Object> table = {
       {"box",
@@ -28,7 +29,8 @@ namespace springfit
   }
 
 
-  const Object &find_object(const std::string &name)
+  const Object &
+  find_object(const std::string &name)
   {
     WordTable<const Object *> table;
     for (const Object &object : objects())

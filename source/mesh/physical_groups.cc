@@ -18,14 +18,16 @@ namespace springfit
     constexpr const char *switch_tags = "Mesh.SwitchElementTags";
 
     // Tells whether the entities' numbers are the physical ones.
-    bool tags_are_switched()
+    bool
+    tags_are_switched()
     {
       double switched;
       gmsh::option::getNumber(switch_tags, switched);
       return switched > 0.;
     }
 
-    bool has_elements(const int dim, const int entity)
+    bool
+    has_elements(const int dim, const int entity)
     {
       std::vector<int> types;
       std::vector<std::vector<std::size_t>> numbers, nodes;
@@ -35,7 +37,8 @@ namespace springfit
       });
     }
 
-    std::vector<int> entities_with_elements(const int dim)
+    std::vector<int>
+    entities_with_elements(const int dim)
     {
       gmsh::vectorpair entities;
       gmsh::model::getEntities(entities, dim);
@@ -47,7 +50,8 @@ namespace springfit
     }
 
     /** Ascending; gmsh's signs, which tell orientations, are dropped. */
-    std::set<unsigned int> physical_ids(const int dim, const int entity)
+    std::set<unsigned int>
+    physical_ids(const int dim, const int entity)
     {
       if (tags_are_switched())
         return entity > 0 ? std::set<unsigned int>{unsigned(entity)}
@@ -60,7 +64,8 @@ namespace springfit
       return ids;
     }
 
-    bool has_ambiguous_groups(const int dim)
+    bool
+    has_ambiguous_groups(const int dim)
     {
       for (const int d : {dim - 1, dim})
         for (const int entity : entities_with_elements(d))
@@ -69,7 +74,8 @@ namespace springfit
       return false;
     }
 
-    bool states_groups_by_element(const std::filesystem::path &file)
+    bool
+    states_groups_by_element(const std::filesystem::path &file)
     {
       std::ifstream stream(file);
       std::string first, version;
@@ -78,7 +84,8 @@ namespace springfit
              (first == "$MeshFormat" && version.substr(0, 1) == "2");
     }
 
-    std::string word_of_dimension(const int dim)
+    std::string
+    word_of_dimension(const int dim)
     {
       return dim == 1 ? "curve" : dim == 2 ? "surface" : "volume";
     }
@@ -90,7 +97,8 @@ namespace springfit
       bool are_physical; // else gmsh's own numbers
     };
 
-    Ids entity_ids(const int dim, MeshDescription &mesh)
+    Ids
+    entity_ids(const int dim, MeshDescription &mesh)
     {
       const auto entities = entities_with_elements(dim);
       Ids ids;
@@ -131,11 +139,12 @@ namespace springfit
 
     // Sides by their vertices in ascending order; those with a vertex that no
     // cell has are left out. Of several ids of a side, the lowest counts.
-    void add_sides(IdOfSide &id_of_side,
-                   const GmshCells &cells,
-                   const int entity,
-                   const unsigned int id,
-                   unsigned int &n_ambiguous)
+    void
+    add_sides(IdOfSide &id_of_side,
+              const GmshCells &cells,
+              const int entity,
+              const unsigned int id,
+              unsigned int &n_ambiguous)
     {
       const int dim = dimension(cells.mesh.cell_kind) - 1;
       std::vector<int> types;
@@ -186,7 +195,8 @@ namespace springfit
   } // namespace
 
 
-  void open_with_groups(const std::filesystem::path &file, const int dim)
+  void
+  open_with_groups(const std::filesystem::path &file, const int dim)
   {
     if (file.extension() == ".inp")
       return open_abaqus_file(file);
@@ -201,7 +211,8 @@ namespace springfit
   }
 
 
-  void read_materials(GmshCells &cells)
+  void
+  read_materials(GmshCells &cells)
   {
     MeshDescription &mesh = cells.mesh;
     const int dim         = dimension(mesh.cell_kind);
@@ -230,7 +241,8 @@ namespace springfit
   }
 
 
-  void read_boundaries(GmshCells &cells)
+  void
+  read_boundaries(GmshCells &cells)
   {
     MeshDescription &mesh = cells.mesh;
     const int dim         = dimension(mesh.cell_kind) - 1;

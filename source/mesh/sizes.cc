@@ -10,7 +10,8 @@ namespace springfit
 {
   namespace
   {
-    std::string text_of(const double value)
+    std::string
+    text_of(const double value)
     {
       std::ostringstream text;
       text << value;
@@ -19,8 +20,8 @@ namespace springfit
   } // namespace
 
 
-  void check_lengths(const std::vector<double> &lengths,
-                     const std::string &entry)
+  void
+  check_lengths(const std::vector<double> &lengths, const std::string &entry)
   {
     for (const double length : lengths)
       if (!(std::isfinite(length) && length > 0.))
@@ -30,7 +31,8 @@ namespace springfit
   }
 
 
-  void check_sizes(const ObjectRequest &request)
+  void
+  check_sizes(const ObjectRequest &request)
   {
     const std::string dim = std::to_string(request.dim);
     if (request.size.size() != static_cast<unsigned int>(request.dim))
@@ -58,7 +60,8 @@ namespace springfit
   }
 
 
-  double estimate_n_cells(const ObjectRequest &request)
+  double
+  estimate_n_cells(const ObjectRequest &request)
   {
     // The measure of an equilateral simplex of unit edges is 1 / 2.31 in the
     // plane and 1 / 8.49 in space.
@@ -71,7 +74,8 @@ namespace springfit
   }
 
 
-  void check_n_cells(const double n_cells)
+  void
+  check_n_cells(const double n_cells)
   {
     constexpr double most = 50e6;
     if (n_cells > most)
@@ -82,14 +86,15 @@ namespace springfit
   }
 
 
-  double cell_size_along(const ObjectRequest &request,
-                         const unsigned int direction)
+  double
+  cell_size_along(const ObjectRequest &request, const unsigned int direction)
   {
     return request.cell_size[request.cell_size.size() == 1 ? 0 : direction];
   }
 
 
-  unsigned int n_intervals(const double length, const double cell_size)
+  unsigned int
+  n_intervals(const double length, const double cell_size)
   {
     return std::max(1., std::round(length / cell_size));
   }

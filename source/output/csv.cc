@@ -7,8 +7,7 @@
 
 namespace springfit
 {
-  CsvTable::CsvTable(const std::string &header)
-    : header_(header)
+  CsvTable::CsvTable(const std::string &header) : header_(header)
   {}
 
   void

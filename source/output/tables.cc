@@ -4,7 +4,7 @@
 namespace springfit
 {
   void
-  write_comparison(const std::filesystem::path      &folder,
+  write_comparison(const std::filesystem::path &folder,
                    const std::vector<ComparisonRow> &rows)
   {
     CsvTable table("case,fit,enrichment,kinematics,e_rms_percent,e_max_percent,"
@@ -30,7 +30,7 @@ namespace springfit
 
   void
   write_fits(const std::filesystem::path &folder,
-             const std::vector<FitRow>   &rows)
+             const std::vector<FitRow> &rows)
   {
     CsvTable table("fit,cell,multiplicity,frobenius_residual,spectral_residual,"
                    "duality_gap,n_negative,seconds");
@@ -60,8 +60,8 @@ namespace springfit
 
   void
   write_springs(const std::filesystem::path &folder,
-                const std::string           &fit,
-                const SpringNetwork         &network)
+                const std::string &fit,
+                const SpringNetwork &network)
   {
     CsvTable table("i,j,k,rest_length");
     for (std::size_t s = 0; s < network.stiffness.size(); ++s)

@@ -35,8 +35,7 @@ namespace springfit
               first,
               first + n - 1,
               field.name,
-              dealii::DataComponentInterpretation::
-                component_is_part_of_vector);
+              dealii::DataComponentInterpretation::component_is_part_of_vector);
         }
       return components;
     }
@@ -44,10 +43,10 @@ namespace springfit
     /** Copy a node's values, component by component, to a patch's vertex. */
     template <typename PatchType>
     void
-    fill(PatchType                     &patch,
-         const unsigned int             vertex,
+    fill(PatchType &patch,
+         const unsigned int vertex,
          const std::vector<NodalField> &fields,
-         const unsigned int             node)
+         const unsigned int node)
     {
       unsigned int component = 0;
       for (const auto &field : fields)
@@ -57,7 +56,7 @@ namespace springfit
 
     template <int dim, int spacedim>
     void
-    write(const std::filesystem::path                                &path,
+    write(const std::filesystem::path &path,
           const std::vector<dealii::DataOutBase::Patch<dim, spacedim>> &patches,
           const Components &components)
     {
@@ -73,8 +72,8 @@ namespace springfit
 
   template <int dim>
   void
-  write_mesh_vtu(const std::filesystem::path   &path,
-                 const Mesh<dim>               &mesh,
+  write_mesh_vtu(const std::filesystem::path &path,
+                 const Mesh<dim> &mesh,
                  const std::vector<NodalField> &fields)
   {
     const auto components = describe(fields, dim);
@@ -98,8 +97,8 @@ namespace springfit
 
   template <int dim>
   void
-  write_springs_vtu(const std::filesystem::path   &path,
-                    const SpringNetwork           &network,
+  write_springs_vtu(const std::filesystem::path &path,
+                    const SpringNetwork &network,
                     const std::vector<NodalField> &fields)
   {
     auto components = describe(fields, dim);
@@ -129,7 +128,7 @@ namespace springfit
   }
 
   void
-  write_pvd(const std::filesystem::path                        &path,
+  write_pvd(const std::filesystem::path &path,
             const std::vector<std::pair<double, std::string>> &files)
   {
     write_file(path, [&](std::ostream &file) {

@@ -31,9 +31,9 @@ namespace springfit
   CellMatrices<dim>::stiffness(const Cell &cell, const CellMaterial &material)
   {
     values_.reinit(cell);
-    const unsigned int n      = values_.dofs_per_cell;
-    const double       lambda = material.lame.lambda;
-    const double       mu     = material.lame.mu;
+    const unsigned int n = values_.dofs_per_cell;
+    const double lambda  = material.lame.lambda;
+    const double mu      = material.lame.mu;
 
     Eigen::MatrixXd R = Eigen::MatrixXd::Zero(dim * n, dim * n);
     for (const unsigned int q : values_.quadrature_point_indices())
@@ -42,15 +42,15 @@ namespace springfit
         for (unsigned int a = 0; a < n; ++a)
           for (unsigned int b = 0; b < n; ++b)
             {
-              const auto  &grad_a = values_.shape_grad(a, q);
-              const auto  &grad_b = values_.shape_grad(b, q);
+              const auto &grad_a   = values_.shape_grad(a, q);
+              const auto &grad_b   = values_.shape_grad(b, q);
               const double product = grad_a * grad_b;
               for (int i = 0; i < dim; ++i)
                 for (int j = 0; j < dim; ++j)
                   R(dim * a + i, dim * b + j) +=
-                    weight * (lambda * grad_a[i] * grad_b[j] +
-                              mu * grad_a[j] * grad_b[i] +
-                              (i == j ? mu * product : 0.));
+                    weight *
+                    (lambda * grad_a[i] * grad_b[j] +
+                     mu * grad_a[j] * grad_b[i] + (i == j ? mu * product : 0.));
             }
       }
     return R;

@@ -1,7 +1,6 @@
 #include <springfit/reference/element.h>
 
 #include <deal.II/base/quadrature_lib.h>
-
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_simplex_p.h>
 #include <deal.II/fe/mapping_fe.h>
@@ -21,7 +20,7 @@ namespace springfit
     dealii::Quadrature<dim>
     vertex_rule(const dealii::FiniteElement<dim> &element)
     {
-      const auto         &points = element.get_unit_support_points();
+      const auto &points = element.get_unit_support_points();
       std::vector<double> weights(points.size(),
                                   element.reference_cell().volume() /
                                     points.size());

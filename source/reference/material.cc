@@ -31,7 +31,7 @@ namespace springfit
     parse_number(const std::string &entry, const std::string &text)
     {
       std::size_t n_read = 0;
-      double      value  = std::numeric_limits<double>::quiet_NaN();
+      double value       = std::numeric_limits<double>::quiet_NaN();
       try
         {
           value = std::stod(text, &n_read);
@@ -72,8 +72,7 @@ namespace springfit
   }
 
   template <int dim>
-  Material<dim>::Material()
-    : dealii::ParameterAcceptor("Material")
+  Material<dim>::Material() : dealii::ParameterAcceptor("Material")
   {
     const std::string several =
       " One number, or \"material id: value, ...\" with ids or physical names "
@@ -81,11 +80,12 @@ namespace springfit
     add_parameter("Young's modulus",
                   youngs_modulus_text_,
                   "Young's modulus E in Pa, positive." + several);
-    add_parameter("Poisson's ratio",
-                  poissons_ratio_text_,
-                  "Poisson's ratio nu (no unit), between -1 and 0.5; 0.5 itself "
-                  "is allowed in plane stress only." +
-                    several);
+    add_parameter(
+      "Poisson's ratio",
+      poissons_ratio_text_,
+      "Poisson's ratio nu (no unit), between -1 and 0.5; 0.5 itself "
+      "is allowed in plane stress only." +
+        several);
     add_parameter("Density",
                   density_text_,
                   "Density rho in kg/m^3, positive." + several);
@@ -103,21 +103,21 @@ namespace springfit
   typename Material<dim>::Constant
   Material<dim>::parse(const std::string &entry, const std::string &text)
   {
-    Constant   constant{entry, {}};
+    Constant constant{entry, {}};
     const auto pieces = split_at_commas(text);
     for (const auto &piece : pieces)
       {
-        const auto colon = piece.find(':');
-        const std::string name =
-          colon == std::string::npos ? "" :
-                                       blanks_removed(piece.substr(0, colon));
+        const auto colon       = piece.find(':');
+        const std::string name = colon == std::string::npos
+                                   ? ""
+                                   : blanks_removed(piece.substr(0, colon));
         if (name.empty() && (colon != std::string::npos || pieces.size() > 1))
           throw EntryError(entry,
                            "'" + piece + "' names no material.",
                            "Give one number, or \"material id: value, ...\".");
-        const std::string value =
-          colon == std::string::npos ? piece :
-                                       blanks_removed(piece.substr(colon + 1));
+        const std::string value = colon == std::string::npos
+                                    ? piece
+                                    : blanks_removed(piece.substr(colon + 1));
         if (!constant.by_name.emplace(name, parse_number(entry, value)).second)
           throw EntryError(entry,
                            "the material '" + name + "' is given twice.",
@@ -150,8 +150,8 @@ namespace springfit
         throw EntryError(poissons_ratio_.entry,
                          text_of(value) + " is out of range.",
                          std::string("Give a number above -1 and ") +
-                           (half_allowed ? "at most 0.5." :
-                                           "below 0.5 (0.5 itself is allowed "
+                           (half_allowed ? "at most 0.5."
+                                         : "below 0.5 (0.5 itself is allowed "
                                            "in plane stress only)."));
 
     if (!(thickness_ > 0. && std::isfinite(thickness_)))
@@ -171,8 +171,8 @@ namespace springfit
 
   template <int dim>
   double
-  Material<dim>::value(const Constant                  &constant,
-                       const Mesh<dim>                 &mesh,
+  Material<dim>::value(const Constant &constant,
+                       const Mesh<dim> &mesh,
                        const dealii::types::material_id id)
   {
     for (const auto &[name, value] : constant.by_name)
@@ -204,10 +204,11 @@ namespace springfit
         const ElasticConstants constants = {value(youngs_modulus_, mesh, id),
                                             value(poissons_ratio_, mesh, id),
                                             value(density_, mesh, id)};
-        const bool plane_stress = dim == 2 && plane_state() == PlaneState::stress;
+        const bool plane_stress =
+          dim == 2 && plane_state() == PlaneState::stress;
         table[id] = {constants,
-                     plane_stress ? lame_constants_plane_stress(constants) :
-                                    lame_constants(constants),
+                     plane_stress ? lame_constants_plane_stress(constants)
+                                  : lame_constants(constants),
                      dim == 2 ? thickness_ : 1.};
       }
     return table;

@@ -15,10 +15,10 @@ namespace springfit
     /** The rigid body modes of the nodes on the rows that a rank owns. */
     template <int dim>
     std::unique_ptr<Epetra_MultiVector>
-    near_null_space(const Discretization<dim>                  &discretization,
+    near_null_space(const Discretization<dim> &discretization,
                     const typename Discretization<dim>::Matrix &matrix)
     {
-      const auto     &vertices = discretization.mesh().triangulation.get_vertices();
+      const auto &vertices = discretization.mesh().triangulation.get_vertices();
       Eigen::MatrixXd points(dim, vertices.size());
       for (unsigned int v = 0; v < vertices.size(); ++v)
         for (int d = 0; d < dim; ++d)
@@ -26,11 +26,11 @@ namespace springfit
       const Eigen::MatrixXd modes = rigid_body_modes(points);
 
       const auto &map = matrix.trilinos_matrix().OperatorDomainMap();
-      auto        null_space =
-        std::make_unique<Epetra_MultiVector>(map, modes.cols());
+      auto null_space = std::make_unique<Epetra_MultiVector>(map, modes.cols());
       for (unsigned int v = 0; v < vertices.size(); ++v)
         for (int d = 0; d < dim; ++d)
-          if (const int row = map.LID(static_cast<int>(discretization.dof(v, d)));
+          if (const int row =
+                map.LID(static_cast<int>(discretization.dof(v, d)));
               row >= 0)
             for (Eigen::Index m = 0; m < modes.cols(); ++m)
               (*null_space)[m][row] = modes(dim * v + d, m);
@@ -45,8 +45,8 @@ namespace springfit
       using Matrix = typename LinearSolver<dim>::Matrix;
 
       CgSolver(const Discretization<dim> &discretization,
-               const Matrix              &matrix,
-               const double               tolerance)
+               const Matrix &matrix,
+               const double tolerance)
         : matrix_(matrix)
         , tolerance_(tolerance)
         , null_space_(near_null_space(discretization, matrix))
@@ -56,7 +56,7 @@ namespace springfit
         data.smoother_sweeps       = 2;
         data.aggregation_threshold = 0.02;
 
-        Teuchos::ParameterList              parameters;
+        Teuchos::ParameterList parameters;
         std::unique_ptr<Epetra_MultiVector> constant_modes;
         data.set_parameters(parameters, constant_modes, matrix);
         parameters.set("null space: type", "pre-computed");
@@ -72,7 +72,7 @@ namespace springfit
       {
         dealii::SolverControl control(2000, tolerance_ * forces.l2_norm());
         dealii::SolverCG<Vector> cg(control);
-        Vector                   displacement(forces);
+        Vector displacement(forces);
         displacement = 0.;
         try
           {
@@ -91,8 +91,8 @@ namespace springfit
       }
 
     private:
-      const Matrix                             &matrix_;
-      const double                              tolerance_;
+      const Matrix &matrix_;
+      const double tolerance_;
       const std::unique_ptr<Epetra_MultiVector> null_space_;
       dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
     };
@@ -100,9 +100,9 @@ namespace springfit
 
   template <int dim>
   std::unique_ptr<LinearSolver<dim>>
-  make_cg_solver(const Discretization<dim>                  &discretization,
+  make_cg_solver(const Discretization<dim> &discretization,
                  const typename Discretization<dim>::Matrix &matrix,
-                 const double                                tolerance)
+                 const double tolerance)
   {
     return std::make_unique<CgSolver<dim>>(discretization, matrix, tolerance);
   }

@@ -17,7 +17,8 @@ namespace springfit
       explicit DirectSolver(const Matrix &matrix)
         : solver_(control_,
                   dealii::TrilinosWrappers::SolverDirect::AdditionalData(
-                    false, "Amesos_Klu"))
+                    false,
+                    "Amesos_Klu"))
       {
         try
           {
@@ -42,7 +43,7 @@ namespace springfit
       }
 
     private:
-      dealii::SolverControl                  control_;
+      dealii::SolverControl control_;
       dealii::TrilinosWrappers::SolverDirect solver_;
     };
   } // namespace

@@ -2,23 +2,18 @@
 #include <springfit/response/discretization.h>
 
 #include <deal.II/base/mpi.h>
-
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
-
 #include <deal.II/fe/fe_system.h>
-
 #include <deal.II/lac/vector.h>
 
 namespace springfit
 {
   template <int dim>
-  Discretization<dim>::Discretization(const Mesh<dim>         &mesh,
+  Discretization<dim>::Discretization(const Mesh<dim> &mesh,
                                       const std::vector<bool> &fixed,
-                                      const MPI_Comm           communicator)
-    : mesh_(mesh)
-    , communicator_(communicator)
-    , dof_handler_(mesh.triangulation)
+                                      const MPI_Comm communicator)
+    : mesh_(mesh), communicator_(communicator), dof_handler_(mesh.triangulation)
   {
     const auto element = make_element<dim>(mesh.cell_kind);
     dof_handler_.distribute_dofs(dealii::FESystem<dim>(*element.scalar, dim));
@@ -28,9 +23,9 @@ namespace springfit
       dealii::Utilities::MPI::this_mpi_process(communicator);
     const auto owned_by_rank =
       dealii::DoFTools::locally_owned_dofs_per_subdomain(dof_handler_);
-    locally_owned_ = rank < owned_by_rank.size() ?
-                       owned_by_rank[rank] :
-                       dealii::IndexSet(dof_handler_.n_dofs());
+    locally_owned_ = rank < owned_by_rank.size()
+                       ? owned_by_rank[rank]
+                       : dealii::IndexSet(dof_handler_.n_dofs());
 
     dofs_.resize(dim * n_nodes());
     for (const auto &cell : dof_handler_.active_cell_iterators())
@@ -123,7 +118,7 @@ namespace springfit
   Discretization<dim>::to_nodal(const Vector &vector) const
   {
     const dealii::Vector<double> everywhere(vector);
-    Eigen::MatrixXd              nodal(dim, n_nodes());
+    Eigen::MatrixXd nodal(dim, n_nodes());
     for (unsigned int v = 0; v < n_nodes(); ++v)
       for (int d = 0; d < dim; ++d)
         nodal(d, v) = everywhere(dof(v, d));

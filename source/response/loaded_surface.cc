@@ -8,10 +8,9 @@
 namespace springfit
 {
   template <int dim>
-  LoadedSurface<dim>::LoadedSurface(std::vector<Face>   faces,
+  LoadedSurface<dim>::LoadedSurface(std::vector<Face> faces,
                                     const Element<dim> &element)
-    : faces_(std::move(faces))
-    , element_(element)
+    : faces_(std::move(faces)), element_(element)
   {
     dealii::FEFaceValues<dim> values(*element_.mapping,
                                      *element_.scalar,
@@ -19,7 +18,7 @@ namespace springfit
                                      dealii::update_quadrature_points |
                                        dealii::update_normal_vectors |
                                        dealii::update_JxW_values);
-    dealii::Tensor<1, dim>    moment;
+    dealii::Tensor<1, dim> moment;
     for (const auto &face : faces_)
       {
         values.reinit(face.cell, face.number);
@@ -62,8 +61,8 @@ namespace springfit
     double radius = 0.;
     for (const auto &[cell, number] : faces_)
       for (const unsigned int v : cell->face(number)->vertex_indices())
-        radius = std::max(radius,
-                          centroid_.distance(cell->face(number)->vertex(v)));
+        radius =
+          std::max(radius, centroid_.distance(cell->face(number)->vertex(v)));
     return radius;
   }
 
@@ -80,7 +79,7 @@ namespace springfit
 
   template <int dim>
   Eigen::MatrixXd
-  LoadedSurface<dim>::forces(const Traction    &traction,
+  LoadedSurface<dim>::forces(const Traction &traction,
                              const unsigned int n_nodes) const
   {
     dealii::FEFaceValues<dim> values(*element_.mapping,
@@ -88,7 +87,7 @@ namespace springfit
                                      element_.face_quadrature,
                                      dealii::update_values |
                                        dealii::update_JxW_values);
-    Eigen::MatrixXd           forces = Eigen::MatrixXd::Zero(dim, n_nodes);
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(dim, n_nodes);
     for (const auto &[cell, number] : faces_)
       {
         values.reinit(cell, number);

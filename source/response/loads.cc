@@ -36,7 +36,7 @@ namespace springfit
      */
     template <int dim>
     FaceCondition<dim>
-    face_condition(const Mesh<dim>   &mesh,
+    face_condition(const Mesh<dim> &mesh,
                    const std::string &boundaries,
                    const std::string &region,
                    const std::string &which)
@@ -44,8 +44,7 @@ namespace springfit
       if (!region.empty())
         {
           const auto shape =
-            std::make_shared<Region<dim>>(region,
-                                          "Loads/" + which + " region");
+            std::make_shared<Region<dim>>(region, "Loads/" + which + " region");
           return [shape](const auto &face) {
             for (const unsigned int v : face->vertex_indices())
               if (!shape->contains(face->vertex(v)))
@@ -95,9 +94,9 @@ namespace springfit
 
     template <int dim>
     typename LoadedSurface<dim>::Traction
-    unit_traction(const Load                    load,
+    unit_traction(const Load load,
                   const dealii::Tensor<1, dim> &axis,
-                  const LoadedSurface<dim>     &surface)
+                  const LoadedSurface<dim> &surface)
     {
       switch (load)
         {
@@ -136,13 +135,13 @@ namespace springfit
     /** Refuse supports that leave a part of the body a rigid motion. */
     template <int dim>
     void
-    check_supports(const Mesh<dim>         &mesh,
+    check_supports(const Mesh<dim> &mesh,
                    const std::vector<bool> &fixed,
-                   const std::string       &entry)
+                   const std::string &entry)
     {
       const auto &vertices = mesh.triangulation.get_vertices();
-      const auto  part_of  = part_of_nodes(mesh.triangulation);
-      const auto  n_parts =
+      const auto part_of   = part_of_nodes(mesh.triangulation);
+      const auto n_parts =
         1 + *std::max_element(part_of.begin(), part_of.end());
 
       std::vector<std::vector<unsigned int>> supports(n_parts);
@@ -163,22 +162,22 @@ namespace springfit
               "the supports (" + std::to_string(supports[p].size()) +
                 " fixed node" + (supports[p].size() == 1 ? "" : "s") +
                 ") leave " +
-                (n_parts == 1 ? "the object" :
-                                "part " + std::to_string(p + 1) + " of the " +
+                (n_parts == 1 ? "the object"
+                              : "part " + std::to_string(p + 1) + " of the " +
                                   std::to_string(n_parts) +
                                   " unconnected parts of the mesh") +
                 " free: " + motion + '.',
-              "Fix " + std::string(dim == 2 ? "two nodes" :
-                                              "three nodes that are not on a "
-                                              "line") +
+              "Fix " +
+                std::string(dim == 2 ? "two nodes"
+                                     : "three nodes that are not on a "
+                                       "line") +
                 " at least, by 'Fixed boundaries' or 'Fixed region'.");
         }
     }
   } // namespace
 
   template <int dim>
-  Loads<dim>::Loads()
-    : dealii::ParameterAcceptor("Loads")
+  Loads<dim>::Loads() : dealii::ParameterAcceptor("Loads")
   {
     auto words = words_of(load_words());
     if (dim == 2)
@@ -218,24 +217,11 @@ namespace springfit
   void
   Loads<dim>::check() const
   {
-    const auto cases = split_at_commas(cases_word_);
-    if (cases.empty())
-      throw EntryError("Loads/Cases",
-                       "no load case is given.",
-                       "Give at least one of " + join(words_of(load_words())) +
-                         '.');
-    for (const auto &word : cases)
-      {
-        const Load load = value_of(load_words(), word, "Loads/Cases");
-        if (dim == 2 && load == Load::torsion)
-          throw EntryError("Loads/Cases",
-                           "torsion needs three dimensions.",
-                           "Remove it, or set Dimension = 3.");
-        if (std::count(cases.begin(), cases.end(), word) > 1)
-          throw EntryError("Loads/Cases",
-                           "'" + word + "' is given twice.",
-                           "Give it once.");
-      }
+    for (const Load load : values_of(load_words(), cases_word_, "Loads/Cases"))
+      if (dim == 2 && load == Load::torsion)
+        throw EntryError("Loads/Cases",
+                         "torsion needs three dimensions.",
+                         "Remove it, or set Dimension = 3.");
     if (!(deformation_ > 0. && std::isfinite(deformation_)))
       {
         std::ostringstream value;
@@ -251,7 +237,7 @@ namespace springfit
   std::vector<bool>
   Loads<dim>::fixed_nodes(const Mesh<dim> &mesh) const
   {
-    const auto       &vertices = mesh.triangulation.get_vertices();
+    const auto &vertices = mesh.triangulation.get_vertices();
     std::vector<bool> fixed(vertices.size(), false);
     if (!fixed_region_.empty())
       {
@@ -274,27 +260,26 @@ namespace springfit
 
   template <int dim>
   Loading
-  Loads<dim>::resolve(const Mesh<dim>    &mesh,
+  Loads<dim>::resolve(const Mesh<dim> &mesh,
                       const Element<dim> &element,
-                      const double        thickness) const
+                      const double thickness) const
   {
-    const auto        &vertices = mesh.triangulation.get_vertices();
-    const unsigned int n_nodes  = vertices.size();
+    const auto &vertices       = mesh.triangulation.get_vertices();
+    const unsigned int n_nodes = vertices.size();
 
     Loading loading;
     loading.fixed       = fixed_nodes(mesh);
     loading.deformation = deformation_;
     check_supports(mesh,
                    loading.fixed,
-                   fixed_region_.empty() ? "Loads/Fixed boundaries" :
-                                           "Loads/Fixed region");
+                   fixed_region_.empty() ? "Loads/Fixed boundaries"
+                                         : "Loads/Fixed region");
 
-    const std::string loaded_entry = loaded_region_.empty() ?
-                                       "Loads/Loaded boundaries" :
-                                       "Loads/Loaded region";
-    auto faces = faces_where(
-      mesh,
-      face_condition(mesh, loaded_boundaries_, loaded_region_, "Loaded"));
+    const std::string loaded_entry = loaded_region_.empty()
+                                       ? "Loads/Loaded boundaries"
+                                       : "Loads/Loaded region";
+    auto faces                     = faces_where(
+      mesh, face_condition(mesh, loaded_boundaries_, loaded_region_, "Loaded"));
     if (faces.empty())
       throw EntryError(loaded_entry,
                        "no boundary face is loaded.",
@@ -304,7 +289,7 @@ namespace springfit
     const LoadedSurface<dim> surface(std::move(faces), element);
 
     const auto loaded = surface.nodes(n_nodes);
-    bool       felt   = false;
+    bool felt         = false;
     for (unsigned int v = 0; v < n_nodes; ++v)
       felt = felt || (loaded[v] && !loading.fixed[v]);
     if (!felt)
@@ -329,14 +314,11 @@ namespace springfit
       }
     loading.extent = highest - lowest;
 
-    for (const auto &word : split_at_commas(cases_word_))
-      {
-        const Load load = value_of(load_words(), word, "Loads/Cases");
-        loading.cases.push_back(
-          {load,
-           thickness *
-             surface.forces(unit_traction(load, axis, surface), n_nodes)});
-      }
+    for (const Load load : values_of(load_words(), cases_word_, "Loads/Cases"))
+      loading.cases.push_back(
+        {load,
+         thickness *
+           surface.forces(unit_traction(load, axis, surface), n_nodes)});
     return loading;
   }
 

@@ -25,8 +25,8 @@ namespace springfit
     reason(const dealii::ExceptionBase &exception)
     {
       const std::string info = message_of(exception);
-      std::string       text = info;
-      std::smatch       match;
+      std::string text       = info;
+      std::smatch match;
       if (std::regex_search(info, match, std::regex("The parser said: (.*)")))
         text = match[1];
       return text.substr(0, text.find_last_not_of(" .") + 1);
@@ -36,8 +36,7 @@ namespace springfit
     class QuietErrors
     {
     public:
-      QuietErrors()
-        : buffer_(std::cerr.rdbuf(nullptr))
+      QuietErrors() : buffer_(std::cerr.rdbuf(nullptr))
       {}
 
       ~QuietErrors()

@@ -43,7 +43,7 @@ namespace springfit
     // With one node held the rotations about it are free; in space, with all
     // of them on a line, the rotation about that line.
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(arms, Eigen::ComputeThinU);
-    const double                            length = svd.singularValues()[0];
+    const double length    = svd.singularValues()[0];
     const double tolerance = 1e-10 * (1e-300 + supports.norm() + length);
     if (length <= tolerance)
       return std::string(dim == 2 ? "the rotation" : "every rotation") +

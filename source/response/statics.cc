@@ -34,10 +34,10 @@ namespace springfit
 
   template <int dim>
   LinearModel<dim>::LinearModel(const Discretization<dim> &discretization,
-                                std::unique_ptr<Matrix>    matrix,
+                                std::unique_ptr<Matrix> matrix,
                                 std::unique_ptr<LinearSolver<dim>> solver,
-                                const std::string                 &what,
-                                const double                       seconds)
+                                const std::string &what,
+                                const double seconds)
     : discretization_(discretization)
     , matrix_(std::move(matrix))
     , solver_(std::move(solver))
@@ -50,8 +50,8 @@ namespace springfit
   LinearModel<dim>::respond(const Eigen::MatrixXd &forces) const
   {
     dealii::Timer timer(discretization_.communicator());
-    const auto    right_hand_side = discretization_.to_vector(forces);
-    const auto    displacement    = solver_->solve(right_hand_side);
+    const auto right_hand_side = discretization_.to_vector(forces);
+    const auto displacement    = solver_->solve(right_hand_side);
 
     auto residual = right_hand_side;
     matrix_->residual(residual, displacement, right_hand_side);
@@ -70,18 +70,17 @@ namespace springfit
                        "true' in section Fit forbids them).");
       }
     timer.stop();
-    return {discretization_.to_nodal(displacement), seconds_ + timer.wall_time()};
+    return {discretization_.to_nodal(displacement),
+            seconds_ + timer.wall_time()};
   }
 
   template <int dim>
-  Statics<dim>::Statics()
-    : dealii::ParameterAcceptor("Response")
+  Statics<dim>::Statics() : dealii::ParameterAcceptor("Response")
   {
     add_parameter("Kinematics",
                   kinematics_word_,
                   "Geometry of the deformation: " +
-                    join(words_of(kinematics_words()), " or ") +
-                    " (no unit).");
+                    join(words_of(kinematics_words()), " or ") + " (no unit).");
     add_parameter("Solver",
                   solver_word_,
                   "Solver of the linear systems: " +
@@ -121,9 +120,8 @@ namespace springfit
 
   template <int dim>
   std::unique_ptr<LinearSolver<dim>>
-  Statics<dim>::solver(
-    const Discretization<dim>                  &discretization,
-    const typename Discretization<dim>::Matrix &matrix) const
+  Statics<dim>::solver(const Discretization<dim> &discretization,
+                       const typename Discretization<dim>::Matrix &matrix) const
   {
     const auto choice =
       value_of(solver_words(), solver_word_, "Response/Solver");
@@ -137,8 +135,8 @@ namespace springfit
   template <int dim>
   LinearModel<dim>
   Statics<dim>::finite_elements(const Discretization<dim> &discretization,
-                                const Element<dim>        &element,
-                                const MaterialTable       &materials) const
+                                const Element<dim> &element,
+                                const MaterialTable &materials) const
   {
     dealii::Timer timer(discretization.communicator());
     auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
@@ -156,8 +154,8 @@ namespace springfit
   template <int dim>
   LinearModel<dim>
   Statics<dim>::springs(const Discretization<dim> &discretization,
-                        const SpringNetwork       &network,
-                        const std::string         &name) const
+                        const SpringNetwork &network,
+                        const std::string &name) const
   {
     dealii::Timer timer(discretization.communicator());
     auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();

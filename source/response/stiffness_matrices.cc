@@ -3,7 +3,6 @@
 #include <springfit/springs/length.h>
 
 #include <deal.II/base/mpi.h>
-
 #include <deal.II/lac/full_matrix.h>
 
 namespace springfit
@@ -13,12 +12,12 @@ namespace springfit
     /** Add a dense matrix on the dofs of some nodes. */
     template <int dim>
     void
-    add(const Discretization<dim>                                 &discretization,
-        const Eigen::MatrixXd                                     &dense,
-        const std::vector<unsigned int>                           &nodes,
-        dealii::FullMatrix<double>                                &buffer,
-        std::vector<dealii::types::global_dof_index>              &dofs,
-        typename Discretization<dim>::Matrix                      &matrix)
+    add(const Discretization<dim> &discretization,
+        const Eigen::MatrixXd &dense,
+        const std::vector<unsigned int> &nodes,
+        dealii::FullMatrix<double> &buffer,
+        std::vector<dealii::types::global_dof_index> &dofs,
+        typename Discretization<dim>::Matrix &matrix)
     {
       const unsigned int n = dense.rows();
       buffer.reinit(n, n);
@@ -37,17 +36,17 @@ namespace springfit
 
   template <int dim>
   void
-  assemble_finite_elements(const Discretization<dim>            &discretization,
-                           const Element<dim>                   &element,
-                           const MaterialTable                  &materials,
+  assemble_finite_elements(const Discretization<dim> &discretization,
+                           const Element<dim> &element,
+                           const MaterialTable &materials,
                            typename Discretization<dim>::Matrix &matrix)
   {
     const unsigned int rank =
       dealii::Utilities::MPI::this_mpi_process(discretization.communicator());
-    CellMatrices<dim>                            cell_matrices(element);
-    dealii::FullMatrix<double>                   buffer;
+    CellMatrices<dim> cell_matrices(element);
+    dealii::FullMatrix<double> buffer;
     std::vector<dealii::types::global_dof_index> dofs;
-    std::vector<unsigned int>                    nodes;
+    std::vector<unsigned int> nodes;
 
     matrix = 0.;
     for (const auto &cell :
@@ -69,11 +68,11 @@ namespace springfit
 
   template <int dim>
   void
-  assemble_springs(const Discretization<dim>            &discretization,
-                   const SpringNetwork                  &network,
+  assemble_springs(const Discretization<dim> &discretization,
+                   const SpringNetwork &network,
                    typename Discretization<dim>::Matrix &matrix)
   {
-    dealii::FullMatrix<double>                   buffer;
+    dealii::FullMatrix<double> buffer;
     std::vector<dealii::types::global_dof_index> dofs;
 
     matrix = 0.;
@@ -83,7 +82,7 @@ namespace springfit
         {
           const Vector<dim> d =
             network.nodes.col(network.j[s]) - network.nodes.col(network.i[s]);
-          const Vector<2 * dim> b = length_gradient<dim>(d);
+          const Vector<2 *dim> b = length_gradient<dim>(d);
           add(discretization,
               network.stiffness[s] * b * b.transpose(),
               {network.i[s], network.j[s]},

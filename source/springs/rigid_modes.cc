@@ -34,11 +34,12 @@ namespace springfit
       return modes;
     }
 
-    /** Columns @p first .. @p first + @p n of the orthonormal factor of modes. */
+    /** Columns @p first .. @p first + @p n of the orthonormal factor of modes.
+     */
     Eigen::MatrixXd
     orthonormal_columns(const Eigen::MatrixXd &modes,
-                        const Eigen::Index     first,
-                        const Eigen::Index     n)
+                        const Eigen::Index first,
+                        const Eigen::Index n)
     {
       const Eigen::HouseholderQR<Eigen::MatrixXd> qr(modes);
       Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(modes.rows(), n);

@@ -45,7 +45,7 @@ namespace springfit
     fit_summary(const CalibratedNetwork &network)
     {
       double spectral = 0., frobenius = 0., gap = 0.;
-      bool   certified = false;
+      bool certified = false;
       for (const auto &cell : network.cells)
         {
           frobenius = std::max(frobenius, cell.result.frobenius_residual);
@@ -71,17 +71,17 @@ namespace springfit
     YoungPoisson
     constants_of(const IsotropicPart &part, const PlaneState state)
     {
-      return dim == 2 && state == PlaneState::stress ?
-               young_poisson_plane_stress(part.lambda, part.mu) :
-               young_poisson(part.lambda, part.mu);
+      return dim == 2 && state == PlaneState::stress
+               ? young_poisson_plane_stress(part.lambda, part.mu)
+               : young_poisson(part.lambda, part.mu);
     }
 
     /** Say what a network is as a material, and what it cannot be. */
     template <int dim>
     void
-    report_homogenised(const Scene<dim>           &scene,
+    report_homogenised(const Scene<dim> &scene,
                        const CalibratedScene<dim> &calibrated,
-                       Session                    &session)
+                       Session &session)
     {
       session.print("\nThe networks as materials (affine deformation; E Pa, "
                     "anisotropy relative to C):");
@@ -119,7 +119,7 @@ namespace springfit
   make_scene(const Scene<dim> &scene, Session &session)
   {
     dealii::TimerOutput::Scope scope(session.timer(), "Mesh");
-    CalibratedScene<dim>       calibrated;
+    CalibratedScene<dim> calibrated;
     calibrated.mesh =
       scene.geometry.create(session.communicator(), scene.folder);
     const auto &mesh     = *calibrated.mesh;
@@ -146,9 +146,9 @@ namespace springfit
 
   template <int dim>
   void
-  calibrate_scene(const Scene<dim>     &scene,
+  calibrate_scene(const Scene<dim> &scene,
                   CalibratedScene<dim> &calibrated,
-                  Session              &session)
+                  Session &session)
   {
     calibrated.networks = scene.calibration.calibrate(*calibrated.mesh,
                                                       calibrated.element,

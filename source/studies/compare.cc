@@ -18,19 +18,19 @@ namespace springfit
     /** A load case, scaled, with the response of every model to it. */
     struct CaseResult
     {
-      LoadCase                 load_case;
-      Equilibrium              reference;
+      LoadCase load_case;
+      Equilibrium reference;
       std::vector<Equilibrium> models; // in the order of the networks
     };
 
     /** Forces such that the reference deforms as much as the user asks. */
     template <int dim>
     std::vector<CaseResult>
-    solve_reference(const Scene<dim>           &scene,
-                    const Discretization<dim>  &discretization,
+    solve_reference(const Scene<dim> &scene,
+                    const Discretization<dim> &discretization,
                     const CalibratedScene<dim> &calibrated,
-                    const Loading              &loading,
-                    Session                    &session)
+                    const Loading &loading,
+                    Session &session)
     {
       dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
       const auto model = scene.statics.finite_elements(discretization,
@@ -57,19 +57,18 @@ namespace springfit
 
     template <int dim>
     void
-    solve_networks(const Scene<dim>           &scene,
-                   const Discretization<dim>  &discretization,
+    solve_networks(const Scene<dim> &scene,
+                   const Discretization<dim> &discretization,
                    const CalibratedScene<dim> &calibrated,
-                   Session                    &session,
-                   std::vector<CaseResult>    &results)
+                   Session &session,
+                   std::vector<CaseResult> &results)
     {
       for (const auto &network : calibrated.networks)
         {
           dealii::TimerOutput::Scope scope(session.timer(),
                                            "Springs, " + network.fit);
-          const auto model = scene.statics.springs(discretization,
-                                                   network.network,
-                                                   network.fit);
+          const auto model =
+            scene.statics.springs(discretization, network.network, network.fit);
           for (auto &result : results)
             result.models.push_back(model.respond(result.load_case.forces));
         }
@@ -77,20 +76,19 @@ namespace springfit
 
     template <int dim>
     std::vector<ComparisonRow>
-    make_rows(const Scene<dim>              &scene,
-              const CalibratedScene<dim>    &calibrated,
-              const Loading                 &loading,
+    make_rows(const Scene<dim> &scene,
+              const CalibratedScene<dim> &calibrated,
+              const Loading &loading,
               const std::vector<CaseResult> &results)
     {
-      const auto  &mesh      = *calibrated.mesh;
+      const auto &mesh       = *calibrated.mesh;
       const double thickness = calibrated.materials.begin()->second.thickness;
-      const auto   row       = [&](const CaseResult  &result,
-                           const Equilibrium &model) {
+      const auto row = [&](const CaseResult &result, const Equilibrium &model) {
         ComparisonRow row{};
         row.load_case  = word_of(load_words(), result.load_case.load);
         row.kinematics = scene.statics.kinematics();
-        row.errors     = error_norms(result.reference.displacement,
-                                 model.displacement);
+        row.errors =
+          error_norms(result.reference.displacement, model.displacement);
         if (result.load_case.load == Load::tension)
           row.delivered = delivered_constants(mesh,
                                               calibrated.element,
@@ -151,8 +149,8 @@ namespace springfit
 
     template <int dim>
     void
-    write_pictures(const std::filesystem::path   &folder,
-                   const CalibratedScene<dim>    &calibrated,
+    write_pictures(const std::filesystem::path &folder,
+                   const CalibratedScene<dim> &calibrated,
                    const std::vector<CaseResult> &results)
     {
       const auto &networks = calibrated.networks;
@@ -163,7 +161,7 @@ namespace springfit
 
       for (std::size_t r = 0; r < results.size(); ++r)
         {
-          const auto       &result = results[r];
+          const auto &result     = results[r];
           const std::string name = word_of(load_words(), result.load_case.load);
           fem_files.emplace_back(r, name + "_fem.vtu");
           write_mesh_vtu(folder / fem_files.back().second,
@@ -201,7 +199,7 @@ namespace springfit
   void
   compare(const Scene<dim> &scene, Session &session)
   {
-    auto       calibrated = make_scene(scene, session);
+    auto calibrated = make_scene(scene, session);
     const auto loading =
       scene.loads.resolve(*calibrated.mesh,
                           calibrated.element,
@@ -211,7 +209,7 @@ namespace springfit
     const Discretization<dim> discretization(*calibrated.mesh,
                                              loading.fixed,
                                              session.communicator());
-    auto                      results =
+    auto results =
       solve_reference(scene, discretization, calibrated, loading, session);
     solve_networks(scene, discretization, calibrated, session, results);
     const auto rows = make_rows(scene, calibrated, loading, results);

@@ -5,8 +5,9 @@ namespace springfit
   const WordTable<StudyKind> &
   study_words()
   {
-    static const WordTable<StudyKind> table = {
-      {StudyKind::calibrate, "calibrate"}, {StudyKind::compare, "compare"}};
+    static const WordTable<StudyKind> table = {{StudyKind::calibrate,
+                                                "calibrate"},
+                                               {StudyKind::compare, "compare"}};
     return table;
   }
 

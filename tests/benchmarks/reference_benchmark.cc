@@ -18,7 +18,7 @@ namespace
   std::unique_ptr<Mesh<dim>>
   random_cells(const CellKind kind)
   {
-    oracle::Random  random(2010);
+    oracle::Random random(2010);
     MeshDescription description;
     description.cell_kind = kind;
     for (unsigned int c = 0; c < n_cells; ++c)
@@ -42,13 +42,11 @@ namespace
   void
   time_stiffness(benchmark::State &state, const CellKind kind)
   {
-    const auto             mesh    = random_cells<dim>(kind);
-    const auto             element = make_element<dim>(kind);
-    CellMatrices<dim>      matrices(element);
+    const auto mesh    = random_cells<dim>(kind);
+    const auto element = make_element<dim>(kind);
+    CellMatrices<dim> matrices(element);
     const ElasticConstants constants = {1e4, 0.3, 1000.};
-    const CellMaterial     material  = {constants,
-                                        lame_constants(constants),
-                                        1.};
+    const CellMaterial material = {constants, lame_constants(constants), 1.};
     while (state.KeepRunningBatch(n_cells))
       for (const auto &cell : mesh->triangulation.active_cell_iterators())
         benchmark::DoNotOptimize(matrices.stiffness(cell, material));
@@ -60,8 +58,8 @@ main(int argc, char *argv[])
 {
   for (const CellKind kind : oracle::all_kinds)
     benchmark::RegisterBenchmark(("R (deal.II)/" + singular(kind)).c_str(),
-                                 dimension(kind) == 2 ? time_stiffness<2> :
-                                                        time_stiffness<3>,
+                                 dimension(kind) == 2 ? time_stiffness<2>
+                                                      : time_stiffness<3>,
                                  kind)
       ->Unit(benchmark::kMicrosecond);
   benchmark::Initialize(&argc, argv);

@@ -14,7 +14,8 @@ using namespace springfit;
 namespace
 {
   /** Two unit squares beside each other, in lexicographic numbering. */
-  MeshDescription two_squares()
+  MeshDescription
+  two_squares()
   {
     MeshDescription mesh;
     mesh.name         = "The mesh";
@@ -30,7 +31,8 @@ namespace
     return mesh;
   }
 
-  MeshDescription one_cell(const CellKind kind)
+  MeshDescription
+  one_cell(const CellKind kind)
   {
     MeshDescription mesh;
     mesh.name      = "The mesh";

@@ -17,22 +17,23 @@ using namespace springfit;
 namespace
 {
   template <int dim>
-  std::unique_ptr<Mesh<dim>> read(const std::string &file,
-                                  const std::string &more = "Scale = 1")
+  std::unique_ptr<Mesh<dim>>
+  read(const std::string &file, const std::string &more = "Scale = 1")
   {
     return make_mesh<dim>("Object = file; File = " + file + "; " + more,
                           MESH_DATA);
   }
 
-  void read_bad(const std::string &file, const std::vector<std::string> &words)
+  void
+  read_bad(const std::string &file, const std::vector<std::string> &words)
   {
     expect_error(
       [&]() { make_mesh<2>("Object = file; File = " + file, BAD_MESHES); },
       words);
   }
 
-  bool has_warning(const std::vector<std::string> &warnings,
-                   const std::string &word)
+  bool
+  has_warning(const std::vector<std::string> &warnings, const std::string &word)
   {
     for (const std::string &warning : warnings)
       if (warning.find(word) != std::string::npos)
@@ -40,7 +41,8 @@ namespace
     return false;
   }
 
-  void expect_plate(const Mesh<2> &mesh)
+  void
+  expect_plate(const Mesh<2> &mesh)
   {
     EXPECT_EQ(mesh.triangulation.n_vertices(), 9u);
     EXPECT_EQ(mesh.triangulation.n_active_cells(), 4u);

@@ -17,7 +17,8 @@ using namespace springfit;
 namespace
 {
   template <int dim>
-  void expect_box(const Mesh<dim> &mesh, const std::vector<double> &size)
+  void
+  expect_box(const Mesh<dim> &mesh, const std::vector<double> &size)
   {
     double measure = 1.;
     for (const double length : size)
@@ -40,9 +41,10 @@ namespace
   }
 
   template <int dim>
-  void expect_counts(const Mesh<dim> &mesh,
-                     const unsigned int n_vertices,
-                     const unsigned int n_cells)
+  void
+  expect_counts(const Mesh<dim> &mesh,
+                const unsigned int n_vertices,
+                const unsigned int n_cells)
   {
     EXPECT_EQ(mesh.triangulation.n_vertices(), n_vertices);
     EXPECT_EQ(mesh.triangulation.n_used_vertices(), n_vertices);

@@ -2,12 +2,12 @@
 #include <springfit/calibration/distinct_cells.h>
 #include <springfit/reference/cell_matrices.h>
 
-#include "meshes.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
+
+#include "meshes.h"
 
 using namespace springfit;
 
@@ -27,7 +27,7 @@ namespace
   {
     const auto folder =
       std::filesystem::temp_directory_path() / "springfit_calibration_test";
-    Session    session(MPI_COMM_SELF, folder);
+    Session session(MPI_COMM_SELF, folder);
     const auto calibration = oracle::make_step<Calibration<dim>>(
       "subsection Fit\n set Methods = block, frobenius\nend");
     auto networks = calibration->calibrate(mesh,
@@ -42,7 +42,7 @@ namespace
 TEST(DistinctCells, OfARegularBoxIsOneForEachMaterial)
 {
   oracle::Random random(1);
-  const auto     mesh = oracle::box_mesh<3>(4, 0.01, 0., random);
+  const auto mesh = oracle::box_mesh<3>(4, 0.01, 0., random);
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
     cell->set_material_id(cell->center()[1] > 0.0074);
   const auto cells = find_distinct_cells(*mesh);
@@ -54,7 +54,7 @@ TEST(DistinctCells, OfARegularBoxIsOneForEachMaterial)
 TEST(DistinctCells, OfAJitteredBoxAreAll)
 {
   oracle::Random random(2);
-  const auto     mesh = oracle::box_mesh<2>(5, 0.01, 0.2, random);
+  const auto mesh = oracle::box_mesh<2>(5, 0.01, 0.2, random);
   EXPECT_EQ(find_distinct_cells(*mesh).distinct.size(), 25u);
 }
 
@@ -62,10 +62,10 @@ TEST(Calibration, OfCongruentCellsEqualsFittingEachOne)
 {
   // Mirrored, renumbered and scaled copies of one irregular cell, glued by
   // nothing: the network must be the fits of the single cells.
-  oracle::Random        random(3);
+  oracle::Random random(3);
   const Eigen::MatrixXd points =
     oracle::random_cell(CellKind::hexahedron, random);
-  MeshDescription              description;
+  MeshDescription description;
   std::vector<Eigen::MatrixXd> cells;
   description.cell_kind = CellKind::hexahedron;
   int n_copies          = 0;
@@ -82,7 +82,7 @@ TEST(Calibration, OfCongruentCellsEqualsFittingEachOne)
       if (edges.determinant() < 0.)
         image.row(0) *= -1.;
       const double scale = 1. + 0.1 * n_copies;
-      image = scale * (random.rotation(3) * image).eval();
+      image              = scale * (random.rotation(3) * image).eval();
       for (int v = 0; v < 8; ++v)
         {
           description.cells.push_back(description.vertices.size());
@@ -96,8 +96,8 @@ TEST(Calibration, OfCongruentCellsEqualsFittingEachOne)
   const auto materials = two_materials();
   EXPECT_EQ(find_distinct_cells(*mesh).distinct.size(), 2u);
 
-  const auto   networks = calibrated(*mesh, materials);
-  const auto   element  = make_element<3>(CellKind::hexahedron);
+  const auto networks = calibrated(*mesh, materials);
+  const auto element  = make_element<3>(CellKind::hexahedron);
   CellMatrices<3> matrices(element);
   for (const auto &network : networks)
     {
@@ -131,14 +131,14 @@ TEST(Calibration, OfCongruentCellsEqualsFittingEachOne)
 TEST(Calibration, MassesSumToThoseOfTheBody)
 {
   oracle::Random random(4);
-  const auto     mesh = oracle::box_mesh<3>(3, 0.1, 0.2, random);
+  const auto mesh = oracle::box_mesh<3>(3, 0.1, 0.2, random);
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
     cell->set_material_id(cell->active_cell_index() % 2);
   double expected = 0.;
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
     expected += cell->measure() * (cell->material_id() == 0 ? 1000. : 2000.);
   const auto networks = calibrated(*mesh, two_materials());
-  double     total    = 0.;
+  double total        = 0.;
   for (const double mass : networks.front().network.mass)
     total += mass;
   EXPECT_NEAR(total, expected, 1e-12 * expected);

@@ -7,8 +7,6 @@
 #include <springfit/response/rigid_motion.h>
 #include <springfit/springs/cell_topology.h>
 
-#include "../unit/cells.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +16,8 @@
 #include <limits>
 #include <sstream>
 
+#include "../unit/cells.h"
+
 using namespace springfit;
 
 namespace
@@ -26,7 +26,7 @@ namespace
   cell_network(const CellKind kind, const Eigen::VectorXd &k)
   {
     const Eigen::MatrixXd points = oracle::regular_cell(kind);
-    NetworkBuilder        builder(points);
+    NetworkBuilder builder(points);
     std::vector<unsigned int> vertices(points.cols());
     for (unsigned int v = 0; v < vertices.size(); ++v)
       vertices[v] = v;
@@ -43,9 +43,9 @@ namespace
       for (int j = 0; j < dim; ++j)
         for (int k = 0; k < dim; ++k)
           for (int l = 0; l < dim; ++l)
-            C(dim * i + j, dim * k + l) = lambda * (i == j) * (k == l) +
-                                          mu * ((i == k) * (j == l) +
-                                                (i == l) * (j == k));
+            C(dim * i + j, dim * k + l) =
+              lambda * (i == j) * (k == l) +
+              mu * ((i == k) * (j == l) + (i == l) * (j == k));
     return C;
   }
 } // namespace
@@ -67,20 +67,19 @@ TEST(HomogenisedTensor, HasTheEnergyOfAffineDeformation)
   oracle::Random random(7);
   for (const CellKind kind : oracle::all_kinds)
     {
-      const int             dim = dimension(kind);
+      const int dim = dimension(kind);
       const Eigen::VectorXd k =
         random.matrix(node_pairs(kind).size(), 1).array() + 2.;
-      const auto            network = cell_network(kind, k);
-      const double          volume  = 0.7;
-      const auto            C       = homogenised_tensor(network, volume);
-      const Eigen::MatrixXd G       = random.matrix(dim, dim);
-      double                energy  = 0.;
+      const auto network      = cell_network(kind, k);
+      const double volume     = 0.7;
+      const auto C            = homogenised_tensor(network, volume);
+      const Eigen::MatrixXd G = random.matrix(dim, dim);
+      double energy           = 0.;
       for (std::size_t s = 0; s < network.stiffness.size(); ++s)
         {
           const Eigen::VectorXd d =
             network.nodes.col(network.j[s]) - network.nodes.col(network.i[s]);
-          energy += network.stiffness[s] *
-                    std::pow(d.dot(G * d) / d.norm(), 2);
+          energy += network.stiffness[s] * std::pow(d.dot(G * d) / d.norm(), 2);
         }
       const Eigen::MatrixXd Gt = G.transpose(); // row i of G one after another
       const Eigen::Map<const Eigen::VectorXd> g(Gt.data(), dim * dim);
@@ -138,10 +137,10 @@ TEST(IsotropicPart, RecoversLameConstants)
 
 TEST(IsotropicPart, IsTheNearest)
 {
-  oracle::Random  random(9);
-  Eigen::MatrixXd C = random.matrix(9, 9);
-  C                 = C * C.transpose();
-  const auto part   = isotropic_part(C);
+  oracle::Random random(9);
+  Eigen::MatrixXd C   = random.matrix(9, 9);
+  C                   = C * C.transpose();
+  const auto part     = isotropic_part(C);
   const auto distance = [&](const double lambda, const double mu) {
     return (C - isotropic_tensor(3, lambda, mu)).norm();
   };
@@ -157,8 +156,7 @@ TEST(IsotropicPart, IsTheNearest)
 TEST(YoungPoisson, InvertsTheLameConstants)
 {
   const double E = 3., nu = 0.42, mu = E / (2. * (1. + nu));
-  auto constants =
-    young_poisson(E * nu / ((1. + nu) * (1. - 2. * nu)), mu);
+  auto constants = young_poisson(E * nu / ((1. + nu) * (1. - 2. * nu)), mu);
   EXPECT_NEAR(constants.youngs_modulus, E, 1e-12);
   EXPECT_NEAR(constants.poissons_ratio, nu, 1e-12);
   constants = young_poisson_plane_stress(E * nu / (1. - nu * nu), mu);
@@ -190,10 +188,10 @@ TEST(SlabShare, AgreesWithCountingPoints)
       const Eigen::Vector3d axis =
         Eigen::Vector3d(random.matrix(3, 1)).normalized();
       const Eigen::RowVectorXd heights = axis.transpose() * points;
-      const double lowest  = heights.minCoeff() + 0.2 * random();
-      const double highest = lowest + 0.3;
-      const int    n       = 200000;
-      int          inside  = 0;
+      const double lowest              = heights.minCoeff() + 0.2 * random();
+      const double highest             = lowest + 0.3;
+      const int n                      = 200000;
+      int inside                       = 0;
       for (int p = 0; p < n; ++p)
         {
           // Barycentric coordinates that are uniform on the simplex.
@@ -267,16 +265,16 @@ TEST(CsvTable, RefusesWhatIsNotFiniteAndKeepsDoubles)
   EXPECT_THROW(table.exactly(std::numeric_limits<double>::infinity()),
                RunError);
 
-  CsvTable     exact("i,x");
+  CsvTable exact("i,x");
   const double number = 0.1 + 0.2;
   exact.new_row();
   exact << 7u;
   exact.exactly(number);
-  const auto path = std::filesystem::temp_directory_path() /
-                    "springfit_csv_test.csv";
+  const auto path =
+    std::filesystem::temp_directory_path() / "springfit_csv_test.csv";
   exact.write(path);
   std::ifstream file(path);
-  std::string   header, row;
+  std::string header, row;
   std::getline(file, header);
   std::getline(file, row);
   EXPECT_EQ(header, "i,x");

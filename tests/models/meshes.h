@@ -5,9 +5,9 @@
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include "../unit/cells.h"
-
 #include <memory>
+
+#include "../unit/cells.h"
 
 namespace springfit::oracle
 {
@@ -38,9 +38,9 @@ namespace springfit::oracle
   template <int dim>
   std::unique_ptr<Mesh<dim>>
   box_mesh(const unsigned int n,
-           const double       size,
-           const double       jitter,
-           Random            &random)
+           const double size,
+           const double jitter,
+           Random &random)
   {
     MeshDescription description;
     description.cell_kind =
@@ -50,7 +50,7 @@ namespace springfit::oracle
     for (unsigned int p = 0; p < n_points; ++p)
       {
         const unsigned int index[3] = {p % m, p / m % m, p / (m * m)};
-        bool               inner    = true;
+        bool inner                  = true;
         for (int d = 0; d < dim; ++d)
           inner = inner && index[d] > 0 && index[d] < n;
         MeshPoint point{};

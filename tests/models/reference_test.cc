@@ -1,9 +1,9 @@
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/material.h>
 
-#include "meshes.h"
-
 #include <gtest/gtest.h>
+
+#include "meshes.h"
 
 using namespace springfit;
 
@@ -14,27 +14,27 @@ namespace
   {
     const ElasticConstants constants = {E, nu, 1200.};
     return {constants,
-            plane_stress ? lame_constants_plane_stress(constants) :
-                           lame_constants(constants),
+            plane_stress ? lame_constants_plane_stress(constants)
+                         : lame_constants(constants),
             plane_stress ? 0.3 : 1.};
   }
 
   template <int dim>
   void
-  compare_stiffness(const CellKind         kind,
-                    const bool             plane_stress,
+  compare_stiffness(const CellKind kind,
+                    const bool plane_stress,
                     const Eigen::MatrixXd &D,
-                    oracle::Random        &random)
+                    oracle::Random &random)
   {
     const double nu = 0.3, E = 5e3;
     for (int repetition = 0; repetition < 10; ++repetition)
       {
         const Eigen::MatrixXd points = 0.01 * oracle::random_cell(kind, random);
-        const auto            mesh = oracle::single_cell_mesh<dim>(kind, points);
-        const auto            element = make_element<dim>(kind);
-        CellMatrices<dim>     matrices(element);
-        const auto            cell     = mesh->triangulation.begin_active();
-        const auto            material = cell_material(E, nu, plane_stress);
+        const auto mesh    = oracle::single_cell_mesh<dim>(kind, points);
+        const auto element = make_element<dim>(kind);
+        CellMatrices<dim> matrices(element);
+        const auto cell     = mesh->triangulation.begin_active();
+        const auto material = cell_material(E, nu, plane_stress);
 
         const Eigen::MatrixXd expected =
           E * material.thickness * oracle::stiffness(points, kind, D);
@@ -75,10 +75,10 @@ TEST(Masses, SumToTheMassOfEveryCell)
       const auto material = cell_material(1., 0.3, false);
       const auto mesh =
         oracle::single_cell_mesh<3>(CellKind::hexahedron, points);
-      const auto      element = make_element<3>(CellKind::hexahedron);
+      const auto element = make_element<3>(CellKind::hexahedron);
       CellMatrices<3> matrices(element);
-      const auto      cell   = mesh->triangulation.begin_active();
-      const auto      masses = matrices.masses(cell, material);
+      const auto cell   = mesh->triangulation.begin_active();
+      const auto masses = matrices.masses(cell, material);
       EXPECT_NEAR(masses.sum(), 1200. * cell->measure(), 1e-9);
       EXPECT_GT(masses.minCoeff(), 0.);
     }
@@ -93,29 +93,28 @@ TEST(Masses, AreEqualSharesOfASimplexAndOfABox)
       const auto mesh    = oracle::single_cell_mesh<2>(kind, points);
       const auto element = make_element<2>(kind);
       CellMatrices<2> matrices(element);
-      const auto      cell  = mesh->triangulation.begin_active();
-      const double    share = 1200. * 0.3 * cell->measure() / points.cols();
-      EXPECT_LT((matrices.masses(cell, material).array() - share)
-                  .abs()
-                  .maxCoeff(),
-                1e-12 * share);
+      const auto cell    = mesh->triangulation.begin_active();
+      const double share = 1200. * 0.3 * cell->measure() / points.cols();
+      EXPECT_LT(
+        (matrices.masses(cell, material).array() - share).abs().maxCoeff(),
+        1e-12 * share);
     }
 }
 
 TEST(Material, GivesEachMaterialIdItsConstants)
 {
   oracle::Random random(3);
-  const auto     mesh = oracle::box_mesh<2>(2, 1., 0., random);
+  const auto mesh = oracle::box_mesh<2>(2, 1., 0., random);
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
     cell->set_material_id(cell->active_cell_index() < 2 ? 4 : 7);
   mesh->material_names[7] = "stiff";
 
-  const auto material = oracle::make_step<Material<2>>(
-    "subsection Material\n"
-    " set Young's modulus = 4: 1e3, stiff: 2e5\n"
-    " set Poisson's ratio = 0.5\n"
-    " set Thickness = 0.02\n"
-    "end");
+  const auto material =
+    oracle::make_step<Material<2>>("subsection Material\n"
+                                   " set Young's modulus = 4: 1e3, stiff: 2e5\n"
+                                   " set Poisson's ratio = 0.5\n"
+                                   " set Thickness = 0.02\n"
+                                   "end");
   const auto table = material->resolve(*mesh);
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table.at(4).constants.youngs_modulus, 1e3);

@@ -4,12 +4,12 @@
 #include <springfit/response/region.h>
 #include <springfit/response/statics.h>
 
-#include "meshes.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "meshes.h"
 
 using namespace springfit;
 
@@ -25,8 +25,8 @@ namespace
     const ElasticConstants constants = {E, nu, 1000.};
     return {{0,
              {constants,
-              dim == 2 ? lame_constants_plane_stress(constants) :
-                         lame_constants(constants),
+              dim == 2 ? lame_constants_plane_stress(constants)
+                       : lame_constants(constants),
               thickness}}};
   }
 
@@ -34,7 +34,7 @@ namespace
   Eigen::MatrixXd
   nodes_of(const Mesh<dim> &mesh)
   {
-    const auto     &vertices = mesh.triangulation.get_vertices();
+    const auto &vertices = mesh.triangulation.get_vertices();
     Eigen::MatrixXd nodes(dim, vertices.size());
     for (unsigned int v = 0; v < vertices.size(); ++v)
       for (int d = 0; d < dim; ++d)
@@ -48,10 +48,10 @@ namespace
   stretch_a_bar(const std::string &solver)
   {
     oracle::Random random(4);
-    const double   E = 2e4, L = 0.03, h = dim == 2 ? 0.5 : 1.;
-    const auto     mesh    = oracle::box_mesh<dim>(3, L, 0.2, random);
-    const auto     element = make_element<dim>(mesh->cell_kind);
-    const auto     loads   = oracle::make_step<Loads<dim>>(
+    const double E = 2e4, L = 0.03, h = dim == 2 ? 0.5 : 1.;
+    const auto mesh    = oracle::box_mesh<dim>(3, L, 0.2, random);
+    const auto element = make_element<dim>(mesh->cell_kind);
+    const auto loads   = oracle::make_step<Loads<dim>>(
       "subsection Loads\n set Cases = tension\n" + fixed_1_loaded_2);
     const auto loading = loads->resolve(*mesh, element, h);
     const auto statics = oracle::make_step<Statics<dim>>(
@@ -63,9 +63,7 @@ namespace
     const auto forces = loading.cases.front().forces;
     const auto u =
       statics
-        ->finite_elements(discretization,
-                          element,
-                          one_material<dim>(E, 0., h))
+        ->finite_elements(discretization, element, one_material<dim>(E, 0., h))
         .respond(forces)
         .displacement;
 
@@ -73,8 +71,8 @@ namespace
     expected.row(0)          = nodes_of(*mesh).row(0) / E; // 1 Pa
     EXPECT_LT((u - expected).norm(), 1e-9 * expected.norm());
 
-    const auto delivered = delivered_constants(
-      *mesh, element, loading.axis, u, forces, h);
+    const auto delivered =
+      delivered_constants(*mesh, element, loading.axis, u, forces, h);
     // In space the slab is cut from plane-faced simplices, which the faces of
     // moved vertices are not quite.
     EXPECT_NEAR(delivered.youngs_modulus, E, (dim == 2 ? 1e-7 : 1e-3) * E);
@@ -95,9 +93,9 @@ TEST(Springs, TangentIsTheSumOverSprings)
   // Two springs in a row along x, and two that keep the middle node on it:
   // the node in the middle moves by f / (k1 + k2).
   MeshDescription description;
-  description.cell_kind = CellKind::triangle;
-  description.vertices  = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}};
-  description.cells     = {0, 1, 2};
+  description.cell_kind    = CellKind::triangle;
+  description.vertices     = {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}};
+  description.cells        = {0, 1, 2};
   description.material_ids = {0};
   const auto mesh          = build_mesh<2>(description);
 
@@ -112,7 +110,7 @@ TEST(Springs, TangentIsTheSumOverSprings)
   const Discretization<2> discretization(*mesh,
                                          {true, false, true},
                                          MPI_COMM_SELF);
-  const auto statics = oracle::make_step<Statics<2>>("");
+  const auto statics     = oracle::make_step<Statics<2>>("");
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 3);
   forces.col(1) << 0.2, 0.1;
   const auto u = statics->springs(discretization, network, "test")
@@ -128,8 +126,8 @@ TEST(Springs, TangentIsTheSumOverSprings)
 TEST(Springs, AMechanismIsRefused)
 {
   oracle::Random random(5);
-  const auto     mesh = oracle::box_mesh<2>(1, 1., 0., random);
-  SpringNetwork  network; // a square without diagonals shears freely
+  const auto mesh = oracle::box_mesh<2>(1, 1., 0., random);
+  SpringNetwork network; // a square without diagonals shears freely
   network.nodes       = nodes_of(*mesh);
   network.i           = {0, 0, 1, 2};
   network.j           = {1, 2, 3, 3};
@@ -142,18 +140,18 @@ TEST(Springs, AMechanismIsRefused)
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 4);
   forces.row(0) << 0., 0., 1., 1.;
   const auto statics = oracle::make_step<Statics<2>>("");
-  EXPECT_THROW(statics->springs(discretization, network, "test")
-                 .respond(forces),
-               RunError);
+  EXPECT_THROW(
+    statics->springs(discretization, network, "test").respond(forces),
+    RunError);
 }
 
 TEST(Loads, BalanceTheTractionOfOnePascal)
 {
   oracle::Random random(6);
-  const double   L = 0.03;
-  const auto     mesh    = oracle::box_mesh<3>(3, L, 0.2, random);
-  const auto     element = make_element<3>(mesh->cell_kind);
-  const auto     loads   = oracle::make_step<Loads<3>>(
+  const double L     = 0.03;
+  const auto mesh    = oracle::box_mesh<3>(3, L, 0.2, random);
+  const auto element = make_element<3>(mesh->cell_kind);
+  const auto loads   = oracle::make_step<Loads<3>>(
     "subsection Loads\n set Cases = tension, compression, shear, torsion\n" +
     fixed_1_loaded_2);
   const auto loading = loads->resolve(*mesh, element, 1.);
@@ -162,8 +160,8 @@ TEST(Loads, BalanceTheTractionOfOnePascal)
   EXPECT_NEAR(loading.extent, L, 1e-15);
   EXPECT_LT((loading.axis - Eigen::Vector3d::UnitX()).norm(), 1e-12);
 
-  const double F = L * L;
-  const auto   total = [&](const int c) {
+  const double F   = L * L;
+  const auto total = [&](const int c) {
     return Eigen::Vector3d(loading.cases[c].forces.rowwise().sum());
   };
   EXPECT_LT((total(0) - Eigen::Vector3d(F, 0., 0.)).norm(), 1e-12 * F);
@@ -186,12 +184,12 @@ TEST(Loads, BalanceTheTractionOfOnePascal)
 TEST(Loads, RegionsSelectNodesAndFaces)
 {
   oracle::Random random(7);
-  const auto     mesh    = oracle::box_mesh<2>(4, 1., 0., random);
-  const auto     element = make_element<2>(mesh->cell_kind);
-  const auto     loads   = oracle::make_step<Loads<2>>(
-    "subsection Loads\n set Cases = shear\n"
-    " set Fixed region = y < 1e-6 and x < 0.51\n"
-    " set Loaded region = y > 0.999\nend");
+  const auto mesh    = oracle::box_mesh<2>(4, 1., 0., random);
+  const auto element = make_element<2>(mesh->cell_kind);
+  const auto loads =
+    oracle::make_step<Loads<2>>("subsection Loads\n set Cases = shear\n"
+                                " set Fixed region = y < 1e-6 and x < 0.51\n"
+                                " set Loaded region = y > 0.999\nend");
   const auto loading = loads->resolve(*mesh, element, 0.1);
   EXPECT_EQ(std::count(loading.fixed.begin(), loading.fixed.end(), true), 3);
   EXPECT_LT((loading.axis - Eigen::Vector2d::UnitY()).norm(), 1e-12);
@@ -202,9 +200,9 @@ TEST(Loads, RegionsSelectNodesAndFaces)
 TEST(Loads, RefuseWhatCannotStandOrIsNotLoaded)
 {
   oracle::Random random(8);
-  const auto     mesh    = oracle::box_mesh<3>(2, 1., 0., random);
-  const auto     element = make_element<3>(mesh->cell_kind);
-  const auto     message = [&](const std::string &entries) -> std::string {
+  const auto mesh    = oracle::box_mesh<3>(2, 1., 0., random);
+  const auto element = make_element<3>(mesh->cell_kind);
+  const auto message = [&](const std::string &entries) -> std::string {
     const auto loads = oracle::make_step<Loads<3>>(
       "subsection Loads\n set Loaded boundaries = 2\n" + entries + "\nend");
     try
@@ -222,9 +220,11 @@ TEST(Loads, RefuseWhatCannotStandOrIsNotLoaded)
   };
   EXPECT_TRUE(has(message("set Fixed region = x < -1"), "no node"));
   EXPECT_TRUE(has(message("set Fixed region = x + y + z < 0.1"), "rotation"));
-  EXPECT_TRUE(has(message("set Fixed region = x + y < 0.1"), "along (0, 0, 1)"));
+  EXPECT_TRUE(
+    has(message("set Fixed region = x + y < 0.1"), "along (0, 0, 1)"));
   EXPECT_TRUE(has(message("set Fixed boundaries = 2"), "every loaded node"));
   EXPECT_TRUE(has(message("set Fixed boundaries = 3"), "3"));
-  EXPECT_TRUE(has(message("set Fixed region = x << 1"), "cannot be understood"));
+  EXPECT_TRUE(
+    has(message("set Fixed region = x << 1"), "cannot be understood"));
   EXPECT_EQ(message("set Fixed boundaries = 1"), "");
 }

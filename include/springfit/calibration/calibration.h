@@ -25,18 +25,18 @@ namespace springfit
   {
     unsigned int cell; // active index of the first such cell of the mesh
     unsigned int multiplicity;
-    FitResult    result;
-    double       seconds;
+    FitResult result;
+    double seconds;
   };
 
   /** A mesh turned into springs by one fit. */
   struct CalibratedNetwork
   {
-    std::string          fit;
-    std::string          enrichment;
-    SpringNetwork        network;
+    std::string fit;
+    std::string enrichment;
+    SpringNetwork network;
     std::vector<CellFit> cells;
-    double               seconds; // wall time of the calibration
+    double seconds; // wall time of the calibration
   };
 
 
@@ -57,10 +57,10 @@ namespace springfit
      * tolerance, with the cell, its place and its shape quality.
      */
     std::vector<CalibratedNetwork>
-    calibrate(const Mesh<dim>     &mesh,
-              const Element<dim>  &element,
+    calibrate(const Mesh<dim> &mesh,
+              const Element<dim> &element,
               const MaterialTable &materials,
-              Session             &session) const;
+              Session &session) const;
 
   private:
     void
@@ -69,7 +69,7 @@ namespace springfit
     std::string methods_word_    = "frobenius, spectral";
     std::string enrichment_word_ = "none";
     std::string engine_word_     = "ipopt";
-    FitOptions  options_;
+    FitOptions options_;
   };
 } // namespace springfit
 

@@ -10,9 +10,9 @@ namespace springfit
   /** The cells of a mesh that one fit serves. */
   struct DistinctCell
   {
-    unsigned int                representative; // active cell index
-    dealii::types::material_id  material;
-    unsigned int                multiplicity;
+    unsigned int representative; // active cell index
+    dealii::types::material_id material;
+    unsigned int multiplicity;
   };
 
   /** How a cell repeats a distinct one. */
@@ -33,7 +33,7 @@ namespace springfit
   struct DistinctCells
   {
     std::vector<DistinctCell> distinct;
-    std::vector<CellCopy>     copies; // by active cell index
+    std::vector<CellCopy> copies; // by active cell index
   };
 
   /**

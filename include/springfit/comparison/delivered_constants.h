@@ -24,12 +24,12 @@ namespace springfit
    */
   template <int dim>
   YoungPoisson
-  delivered_constants(const Mesh<dim>       &mesh,
-                      const Element<dim>    &element,
+  delivered_constants(const Mesh<dim> &mesh,
+                      const Element<dim> &element,
                       const Eigen::VectorXd &axis,
                       const Eigen::MatrixXd &displacement,
                       const Eigen::MatrixXd &forces,
-                      double                 thickness);
+                      double thickness);
 } // namespace springfit
 
 #endif

@@ -30,8 +30,8 @@ namespace springfit
   /** The isotropic tensor nearest to a given one in the Frobenius norm. */
   struct IsotropicPart
   {
-    double lambda; // Pa, of the space of the tensor (2-d or 3-d)
-    double mu;     // Pa
+    double lambda;     // Pa, of the space of the tensor (2-d or 3-d)
+    double mu;         // Pa
     double anisotropy; // distance from the tensor, relative to its norm
   };
 

@@ -28,10 +28,10 @@ namespace springfit
    */
   double
   slab_share(const Eigen::MatrixXd &points,
-             CellKind               kind,
+             CellKind kind,
              const Eigen::VectorXd &axis,
-             double                 lowest,
-             double                 highest);
+             double lowest,
+             double highest);
 } // namespace springfit
 
 #endif

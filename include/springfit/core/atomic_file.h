@@ -16,7 +16,7 @@ namespace springfit
    * temporary file is removed).
    */
   void
-  write_file(const std::filesystem::path               &path,
+  write_file(const std::filesystem::path &path,
              const std::function<void(std::ostream &)> &write);
 } // namespace springfit
 

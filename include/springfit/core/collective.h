@@ -14,8 +14,7 @@ namespace springfit
    * user sees one message. @p work must not communicate.
    */
   void
-  run_collectively(MPI_Comm                     communicator,
-                   const std::function<void()> &work);
+  run_collectively(MPI_Comm communicator, const std::function<void()> &work);
 
   /** The same for work that only the first rank does. */
   void

@@ -37,14 +37,12 @@ namespace springfit
     EntryError(const std::string &entry,
                const std::string &what,
                const std::string &mend)
-      : InputError(entry + ": " + what, mend)
-      , entry(entry)
+      : InputError(entry + ": " + what, mend), entry(entry)
     {}
 
     /** An error whose message is already complete. */
     EntryError(const std::string &entry, const std::string &message)
-      : InputError(message)
-      , entry(entry)
+      : InputError(message), entry(entry)
     {}
 
     const std::string entry;
@@ -62,8 +60,7 @@ namespace springfit
       : std::runtime_error(what + ' ' + mend)
     {}
 
-    explicit RunError(const std::string &message)
-      : std::runtime_error(message)
+    explicit RunError(const std::string &message) : std::runtime_error(message)
     {}
   };
 } // namespace springfit

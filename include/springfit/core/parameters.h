@@ -15,8 +15,8 @@ namespace springfit
   /** A `set` line of a parameter file. */
   struct ParameterLine
   {
-    std::string  entry; // with its sections: "Geometry/Cell size"
-    std::string  value;
+    std::string entry; // with its sections: "Geometry/Cell size"
+    std::string value;
     unsigned int line; // from 1
   };
 
@@ -31,7 +31,7 @@ namespace springfit
    */
   struct ParameterSource
   {
-    std::filesystem::path    file;
+    std::filesystem::path file;
     std::vector<std::string> overrides;
   };
 
@@ -52,16 +52,14 @@ namespace springfit
    * that its entry asks for.
    */
   void
-  read_parameters(dealii::ParameterHandler &prm,
-                  const ParameterSource    &source);
+  read_parameters(dealii::ParameterHandler &prm, const ParameterSource &source);
 
   /**
    * Read a single top-level entry and ignore all others; empty when it is not
    * given.
    */
   std::string
-  read_top_level_entry(const ParameterSource &source,
-                       const std::string     &entry);
+  read_top_level_entry(const ParameterSource &source, const std::string &entry);
 
   /** @p error's message, led by the place where its entry was set. */
   std::string

@@ -29,10 +29,10 @@ namespace springfit
 
     const std::string what_;
     const std::size_t n_steps_;
-    const bool        visible_;
-    std::size_t       n_done_ = 0;
+    const bool visible_;
+    std::size_t n_done_ = 0;
     Clock::time_point next_;
-    bool              shown_ = false;
+    bool shown_ = false;
   };
 } // namespace springfit
 

@@ -24,7 +24,8 @@ namespace springfit
      *
      * @throws EntryError when the folder cannot be created or written.
      */
-    Session(MPI_Comm communicator, const std::filesystem::path &output_directory);
+    Session(MPI_Comm communicator,
+            const std::filesystem::path &output_directory);
 
     MPI_Comm
     communicator() const;
@@ -60,11 +61,11 @@ namespace springfit
     finish();
 
   private:
-    const MPI_Comm              communicator_;
+    const MPI_Comm communicator_;
     const std::filesystem::path output_directory_;
-    std::ofstream               log_file_;
-    dealii::ConditionalOStream  log_stream_;
-    dealii::TimerOutput         timer_;
+    std::ofstream log_file_;
+    dealii::ConditionalOStream log_stream_;
+    dealii::TimerOutput timer_;
   };
 } // namespace springfit
 

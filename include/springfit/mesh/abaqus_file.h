@@ -15,7 +15,8 @@ namespace springfit
    *
    * @throws InputError with the line that cannot be understood.
    */
-  void open_abaqus_file(const std::filesystem::path &file);
+  void
+  open_abaqus_file(const std::filesystem::path &file);
 } // namespace springfit
 
 #endif

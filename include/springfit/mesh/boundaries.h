@@ -19,7 +19,8 @@ namespace springfit
 
   /** A row for each boundary id of the mesh, in ascending order. */
   template <int dim>
-  std::vector<BoundaryRow> boundary_table(const Mesh<dim> &mesh);
+  std::vector<BoundaryRow>
+  boundary_table(const Mesh<dim> &mesh);
 
   /**
    * The boundaries that a user names by numbers or names. No words, no ids.
@@ -39,7 +40,8 @@ namespace springfit
    * boundary id : name : faces : area, each line ended.
    */
   template <int dim>
-  std::string format_boundary_table(const std::vector<BoundaryRow> &table);
+  std::string
+  format_boundary_table(const std::vector<BoundaryRow> &table);
 } // namespace springfit
 
 #endif

@@ -14,8 +14,8 @@ namespace springfit
    * their subdomain ids, in the same way wherever it is called.
    */
   template <int dim>
-  std::unique_ptr<Mesh<dim>> build_mesh(const MeshDescription &description,
-                                        unsigned int n_ranks = 1);
+  std::unique_ptr<Mesh<dim>>
+  build_mesh(const MeshDescription &description, unsigned int n_ranks = 1);
 } // namespace springfit
 
 #endif

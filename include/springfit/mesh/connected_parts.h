@@ -11,16 +11,19 @@ namespace springfit
   public:
     explicit ConnectedParts(unsigned int n_nodes);
 
-    void connect(unsigned int a, unsigned int b);
+    void
+    connect(unsigned int a, unsigned int b);
 
     /**
      * For each node the number of its part, from 0 in the order of the parts'
      * first nodes.
      */
-    std::vector<unsigned int> part_of_nodes() const;
+    std::vector<unsigned int>
+    part_of_nodes() const;
 
   private:
-    unsigned int root(unsigned int node) const;
+    unsigned int
+    root(unsigned int node) const;
 
     mutable std::vector<unsigned int> parents_; // paths shorten when followed
   };

@@ -13,7 +13,8 @@ namespace springfit
    * plane cells, faces of the others. The vertices of a quadrilateral face
    * come in lexicographic order.
    */
-  const std::vector<std::vector<unsigned int>> &sides_of(CellKind kind);
+  const std::vector<std::vector<unsigned int>> &
+  sides_of(CellKind kind);
 
   /**
    * The sides that belong to one cell only, in the order of the cells, each
@@ -28,7 +29,8 @@ namespace springfit
    * Replace the facets of @p mesh by all its boundary sides, with the id that
    * @p id_of gives to the points of a side.
    */
-  void label_boundary(
+  void
+  label_boundary(
     MeshDescription &mesh,
     const std::function<unsigned int(const std::vector<MeshPoint> &)> &id_of);
 } // namespace springfit

@@ -30,7 +30,8 @@ namespace springfit
      *
      * @throws EntryError
      */
-    void check() const;
+    void
+    check() const;
 
     /**
      * Check that the mesh file, if the object is one, is there to be read.
@@ -38,7 +39,8 @@ namespace springfit
      *
      * @throws EntryError
      */
-    void check_files(const std::filesystem::path &folder_of_prm) const;
+    void
+    check_files(const std::filesystem::path &folder_of_prm) const;
 
     /**
      * Make the mesh on the first rank, check it and give it to all ranks,
@@ -51,7 +53,8 @@ namespace springfit
            const std::filesystem::path &folder_of_prm) const;
 
   private:
-    ObjectRequest request(const std::filesystem::path &folder_of_prm) const;
+    ObjectRequest
+    request(const std::filesystem::path &folder_of_prm) const;
 
     std::string object_            = "box";
     std::string cells_             = dim == 2 ? "quadrilaterals" : "hexahedra";

@@ -21,19 +21,22 @@ namespace springfit
     GmshSession();
     ~GmshSession();
 
-    GmshSession(const GmshSession &)            = delete;
-    GmshSession &operator=(const GmshSession &) = delete;
+    GmshSession(const GmshSession &) = delete;
+    GmshSession &
+    operator=(const GmshSession &) = delete;
   };
 
   /** The edge length that gmsh shall give to all cells, in its units. */
-  void set_gmsh_cell_size(double cell_size);
+  void
+  set_gmsh_cell_size(double cell_size);
 
   /**
    * Mesh the geometry of gmsh's current model. @p name begins the message.
    *
    * @throws InputError with gmsh's complaint.
    */
-  void mesh_gmsh_model(const std::string &name, int dim);
+  void
+  mesh_gmsh_model(const std::string &name, int dim);
 
 
   /** The cells of gmsh's current model. */
@@ -56,10 +59,12 @@ namespace springfit
    * @throws InputError when there are none, or of several types, or of second
    * or higher order, or of a type other than the four of CellKind.
    */
-  GmshCells read_gmsh_cells(const std::string &name, int dim);
+  GmshCells
+  read_gmsh_cells(const std::string &name, int dim);
 
   /** The number of elements of gmsh's current model of dimension @p dim. */
-  std::size_t n_gmsh_elements(int dim);
+  std::size_t
+  n_gmsh_elements(int dim);
 } // namespace springfit
 
 #endif

@@ -18,7 +18,8 @@ namespace springfit
 
   /** A row for each material id of the mesh, in ascending order. */
   template <int dim>
-  std::vector<MaterialRow> material_table(const Mesh<dim> &mesh);
+  std::vector<MaterialRow>
+  material_table(const Mesh<dim> &mesh);
 
   /**
    * The material that a user names by its number or name.
@@ -28,16 +29,18 @@ namespace springfit
    * @throws EntryError listing the materials of the mesh when it is absent.
    */
   template <int dim>
-  dealii::types::material_id find_material(const Mesh<dim> &mesh,
-                                           const std::string &id_or_name,
-                                           const std::string &entry);
+  dealii::types::material_id
+  find_material(const Mesh<dim> &mesh,
+                const std::string &id_or_name,
+                const std::string &entry);
 
   /**
    * The table for the screen: a headline and a line for each row, in columns
    * material id : name : cells : volume (area in 2-d), each line ended.
    */
   template <int dim>
-  std::string format_material_table(const std::vector<MaterialRow> &table);
+  std::string
+  format_material_table(const std::vector<MaterialRow> &table);
 } // namespace springfit
 
 #endif

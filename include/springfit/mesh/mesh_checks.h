@@ -15,19 +15,24 @@ namespace springfit
    *
    * @throws InputError that names the first offending cell or vertex.
    */
-  void check_mesh(MeshDescription &mesh);
+  void
+  check_mesh(MeshDescription &mesh);
 
   /** @throws InputError when there are no cells. */
-  void check_not_empty(const MeshDescription &mesh);
+  void
+  check_not_empty(const MeshDescription &mesh);
 
   /** @throws InputError at a coordinate that is not a finite number. */
-  void check_coordinates(const MeshDescription &mesh);
+  void
+  check_coordinates(const MeshDescription &mesh);
 
   /** @throws InputError when a vertex belongs to no cell. */
-  void check_vertices_are_used(const MeshDescription &mesh);
+  void
+  check_vertices_are_used(const MeshDescription &mesh);
 
   /** @throws InputError when two cells have the same vertices. */
-  void check_no_duplicate_cells(const MeshDescription &mesh);
+  void
+  check_no_duplicate_cells(const MeshDescription &mesh);
 
   /**
    * Renumber the cells of each group of cells that are all negative (clockwise
@@ -37,16 +42,19 @@ namespace springfit
    * one corner, negative at another) and when only some cells of a group are
    * negative: these are inverted.
    */
-  void check_orientation(MeshDescription &mesh);
+  void
+  check_orientation(MeshDescription &mesh);
 
   /**
    * Number of cells in each part, parts having no vertex in common, in the
    * order of their first vertices.
    */
-  std::vector<unsigned int> connected_parts(const MeshDescription &mesh);
+  std::vector<unsigned int>
+  connected_parts(const MeshDescription &mesh);
 
   /** Add a warning when there are several parts. */
-  void check_connection(MeshDescription &mesh);
+  void
+  check_connection(MeshDescription &mesh);
 
   /**
    * Jacobians at the corners of a cell, each divided by the lengths of the
@@ -54,11 +62,12 @@ namespace springfit
    * negative where it is inverted. One value for a simplex, 4 for a
    * quadrilateral, 8 for a hexahedron.
    */
-  std::vector<double> scaled_jacobians(const MeshDescription &mesh,
-                                       unsigned int cell);
+  std::vector<double>
+  scaled_jacobians(const MeshDescription &mesh, unsigned int cell);
 
   /** "hexahedron 17 (around x = 0.01, y = 0, z = 0.2)", for messages. */
-  std::string describe_cell(const MeshDescription &mesh, unsigned int cell);
+  std::string
+  describe_cell(const MeshDescription &mesh, unsigned int cell);
 } // namespace springfit
 
 #endif

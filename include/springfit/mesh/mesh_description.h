@@ -26,7 +26,8 @@ namespace springfit
     unsigned int id = 0;
 
     template <typename Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &vertices &id;
     }
@@ -70,24 +71,28 @@ namespace springfit
 
     std::vector<std::string> warnings;
 
-    unsigned int n_cells() const
+    unsigned int
+    n_cells() const
     {
       return cells.size() / n_vertices(cell_kind);
     }
 
     /** The n_vertices(cell_kind) vertices of a cell. */
-    const unsigned int *cell(const unsigned int index) const
+    const unsigned int *
+    cell(const unsigned int index) const
     {
       return cells.data() + std::size_t(index) * n_vertices(cell_kind);
     }
 
-    unsigned int *cell(const unsigned int index)
+    unsigned int *
+    cell(const unsigned int index)
     {
       return cells.data() + std::size_t(index) * n_vertices(cell_kind);
     }
 
     template <typename Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
+    void
+    serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &name &cell_kind &vertices &cells &material_ids &cell_numbers
         &group_begins &facets &boundary_names &material_names &warnings;

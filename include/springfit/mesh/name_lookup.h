@@ -19,10 +19,11 @@ namespace springfit
    *
    * @throws EntryError that lists @p known, with the nearest name.
    */
-  std::vector<unsigned int> find_ids(const std::vector<IdAndName> &known,
-                                     const std::string &word,
-                                     const std::string &what,
-                                     const std::string &entry);
+  std::vector<unsigned int>
+  find_ids(const std::vector<IdAndName> &known,
+           const std::string &word,
+           const std::string &what,
+           const std::string &entry);
 
 
   /** A line of a table for the screen. */
@@ -35,8 +36,9 @@ namespace springfit
   };
 
   /** Four columns below their headlines, separated by " : ". */
-  std::string format_table(const std::vector<std::string> &headlines,
-                           const std::vector<TableLine> &lines);
+  std::string
+  format_table(const std::vector<std::string> &headlines,
+               const std::vector<TableLine> &lines);
 } // namespace springfit
 
 #endif

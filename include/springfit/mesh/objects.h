@@ -59,25 +59,34 @@ namespace springfit
   };
 
   /** Every object, in the order in which they are offered. */
-  const std::vector<Object> &objects();
+  const std::vector<Object> &
+  objects();
 
   /** @throws EntryError with the nearest known name. */
-  const Object &find_object(const std::string &name);
+  const Object &
+  find_object(const std::string &name);
 
 
-  void check_box(const ObjectRequest &request);
+  void
+  check_box(const ObjectRequest &request);
 
-  MeshDescription describe_box(const ObjectRequest &request);
+  MeshDescription
+  describe_box(const ObjectRequest &request);
 
-  void check_cylinder(const ObjectRequest &request);
+  void
+  check_cylinder(const ObjectRequest &request);
 
-  MeshDescription describe_cylinder(const ObjectRequest &request);
+  MeshDescription
+  describe_cylinder(const ObjectRequest &request);
 
-  void check_file(const ObjectRequest &request);
+  void
+  check_file(const ObjectRequest &request);
 
-  void check_file_is_readable(const ObjectRequest &request);
+  void
+  check_file_is_readable(const ObjectRequest &request);
 
-  MeshDescription describe_file(const ObjectRequest &request);
+  MeshDescription
+  describe_file(const ObjectRequest &request);
 } // namespace springfit
 
 #endif

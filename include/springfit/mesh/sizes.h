@@ -9,8 +9,8 @@
 namespace springfit
 {
   /** @throws EntryError when a length is not a finite positive number. */
-  void check_lengths(const std::vector<double> &lengths,
-                     const std::string &entry);
+  void
+  check_lengths(const std::vector<double> &lengths, const std::string &entry);
 
   /**
    * Check the entries Size and Cell size of an object that is made here:
@@ -19,19 +19,24 @@ namespace springfit
    *
    * @throws EntryError
    */
-  void check_sizes(const ObjectRequest &request);
+  void
+  check_sizes(const ObjectRequest &request);
 
   /** About how many cells the box around the object would have. */
-  double estimate_n_cells(const ObjectRequest &request);
+  double
+  estimate_n_cells(const ObjectRequest &request);
 
   /** @throws EntryError when @p n_cells is beyond 50 million. */
-  void check_n_cells(double n_cells);
+  void
+  check_n_cells(double n_cells);
 
   /** The cell size along x, y or z (@p direction 0, 1 or 2), in m. */
-  double cell_size_along(const ObjectRequest &request, unsigned int direction);
+  double
+  cell_size_along(const ObjectRequest &request, unsigned int direction);
 
   /** How many cells of about the size @p cell_size fill @p length: >= 1. */
-  unsigned int n_intervals(double length, double cell_size);
+  unsigned int
+  n_intervals(double length, double cell_size);
 } // namespace springfit
 
 #endif

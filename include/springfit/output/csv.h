@@ -51,8 +51,8 @@ namespace springfit
     add(double number, int n_digits);
 
     const std::string header_;
-    std::string       rows_;
-    bool              row_begins_ = true;
+    std::string rows_;
+    bool row_begins_ = true;
   };
 } // namespace springfit
 

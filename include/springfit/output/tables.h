@@ -15,54 +15,54 @@ namespace springfit
   /** A row of comparison.csv; times in s. */
   struct ComparisonRow
   {
-    std::string                 load_case;
-    std::string                 fit; // "fem" is the reference itself
-    std::string                 enrichment;
-    std::string                 kinematics;
-    ErrorNorms                  errors;
+    std::string load_case;
+    std::string fit; // "fem" is the reference itself
+    std::string enrichment;
+    std::string kinematics;
+    ErrorNorms errors;
     std::optional<YoungPoisson> delivered; // of the tension case
-    unsigned int                n_nodes;
-    unsigned int                n_cells;
-    unsigned int                n_springs;
-    unsigned int                n_negative;
-    std::optional<double>       calibrate_seconds;
-    double                      fem_seconds;
-    std::optional<double>       lem_seconds;
+    unsigned int n_nodes;
+    unsigned int n_cells;
+    unsigned int n_springs;
+    unsigned int n_negative;
+    std::optional<double> calibrate_seconds;
+    double fem_seconds;
+    std::optional<double> lem_seconds;
   };
 
   /** A row of fit.csv: a fit on one distinct cell; residuals relative to R. */
   struct FitRow
   {
-    std::string           fit;
-    std::string           cell; // "hexahedron 17": the first of its kind
-    unsigned int          multiplicity;
-    double                frobenius_residual;
-    double                spectral_residual;
+    std::string fit;
+    std::string cell; // "hexahedron 17": the first of its kind
+    unsigned int multiplicity;
+    double frobenius_residual;
+    double spectral_residual;
     std::optional<double> duality_gap;
-    unsigned int          n_negative;
-    double                seconds;
+    unsigned int n_negative;
+    double seconds;
   };
 
   /** comparison.csv */
   void
-  write_comparison(const std::filesystem::path      &folder,
+  write_comparison(const std::filesystem::path &folder,
                    const std::vector<ComparisonRow> &rows);
 
   /** fit.csv */
   void
   write_fits(const std::filesystem::path &folder,
-             const std::vector<FitRow>   &rows);
+             const std::vector<FitRow> &rows);
 
   /** nodes.csv: rest positions in m (z = 0 in 2-d) and masses in kg. */
   void
   write_nodes(const std::filesystem::path &folder,
-              const SpringNetwork         &network);
+              const SpringNetwork &network);
 
   /** springs_<fit>.csv: node numbers from 0, N/m, m. */
   void
   write_springs(const std::filesystem::path &folder,
-                const std::string           &fit,
-                const SpringNetwork         &network);
+                const std::string &fit,
+                const SpringNetwork &network);
 } // namespace springfit
 
 #endif

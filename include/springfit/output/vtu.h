@@ -19,15 +19,15 @@ namespace springfit
    */
   struct NodalField
   {
-    std::string     name;
+    std::string name;
     Eigen::MatrixXd values;
   };
 
   /** The cells of a mesh with values at their nodes. */
   template <int dim>
   void
-  write_mesh_vtu(const std::filesystem::path   &path,
-                 const Mesh<dim>               &mesh,
+  write_mesh_vtu(const std::filesystem::path &path,
+                 const Mesh<dim> &mesh,
                  const std::vector<NodalField> &fields);
 
   /**
@@ -36,13 +36,13 @@ namespace springfit
    */
   template <int dim>
   void
-  write_springs_vtu(const std::filesystem::path   &path,
-                    const SpringNetwork           &network,
+  write_springs_vtu(const std::filesystem::path &path,
+                    const SpringNetwork &network,
                     const std::vector<NodalField> &fields);
 
   /** A series of files in the folder of @p path, each with its place in it. */
   void
-  write_pvd(const std::filesystem::path                        &path,
+  write_pvd(const std::filesystem::path &path,
             const std::vector<std::pair<double, std::string>> &files);
 } // namespace springfit
 

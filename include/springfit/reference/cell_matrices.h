@@ -5,7 +5,6 @@
 #include <springfit/reference/material.h>
 
 #include <deal.II/fe/fe_values.h>
-
 #include <deal.II/grid/tria.h>
 
 #include <Eigen/Core>

@@ -4,7 +4,6 @@
 #include <springfit/core/cell_kind.h>
 
 #include <deal.II/base/quadrature.h>
-
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/mapping.h>
 
@@ -21,9 +20,9 @@ namespace springfit
   struct Element
   {
     std::unique_ptr<dealii::FiniteElement<dim>> scalar;
-    std::unique_ptr<dealii::Mapping<dim>>       mapping;
-    dealii::Quadrature<dim>                     quadrature;
-    dealii::Quadrature<dim - 1>                 face_quadrature;
+    std::unique_ptr<dealii::Mapping<dim>> mapping;
+    dealii::Quadrature<dim> quadrature;
+    dealii::Quadrature<dim - 1> face_quadrature;
 
     /** One point per vertex, in the order of the vertices. */
     dealii::Quadrature<dim> nodal_quadrature;

@@ -46,8 +46,8 @@ namespace springfit
   struct CellMaterial
   {
     ElasticConstants constants;
-    LameConstants    lame;
-    double           thickness; // m in 2-d, 1 in 3-d
+    LameConstants lame;
+    double thickness; // m in 2-d, 1 in 3-d
   };
 
   /** By the material ids of a mesh's cells. */
@@ -77,7 +77,7 @@ namespace springfit
     /** A constant for every cell, or one for each of several materials. */
     struct Constant
     {
-      std::string                   entry;
+      std::string entry;
       std::map<std::string, double> by_name; // "" is every material
     };
 
@@ -88,7 +88,7 @@ namespace springfit
     std::string poissons_ratio_text_ = "0.3";
     std::string density_text_        = "1000";
     std::string plane_state_word_    = "stress";
-    double      thickness_           = 0.01;
+    double thickness_                = 0.01;
 
     Constant youngs_modulus_;
     Constant poissons_ratio_;
@@ -98,8 +98,8 @@ namespace springfit
     parse(const std::string &entry, const std::string &text);
 
     static double
-    value(const Constant            &constant,
-          const Mesh<dim>           &mesh,
+    value(const Constant &constant,
+          const Mesh<dim> &mesh,
           dealii::types::material_id id);
   };
 } // namespace springfit

@@ -4,9 +4,7 @@
 #include <springfit/mesh/mesh.h>
 
 #include <deal.II/base/index_set.h>
-
 #include <deal.II/dofs/dof_handler.h>
-
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -32,9 +30,9 @@ namespace springfit
     using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
     /** @p fixed has a flag per node. @p mesh must outlive the object. */
-    Discretization(const Mesh<dim>         &mesh,
+    Discretization(const Mesh<dim> &mesh,
                    const std::vector<bool> &fixed,
-                   MPI_Comm                 communicator);
+                   MPI_Comm communicator);
 
     const Mesh<dim> &
     mesh() const;
@@ -68,13 +66,13 @@ namespace springfit
     to_nodal(const Vector &vector) const;
 
   private:
-    const Mesh<dim>                             &mesh_;
-    const MPI_Comm                               communicator_;
-    dealii::DoFHandler<dim>                      dof_handler_;
+    const Mesh<dim> &mesh_;
+    const MPI_Comm communicator_;
+    dealii::DoFHandler<dim> dof_handler_;
     std::vector<dealii::types::global_dof_index> dofs_; // dim * v + d
-    dealii::IndexSet                             locally_owned_;
-    dealii::AffineConstraints<double>            constraints_;
-    dealii::DynamicSparsityPattern               pattern_;
+    dealii::IndexSet locally_owned_;
+    dealii::AffineConstraints<double> constraints_;
+    dealii::DynamicSparsityPattern pattern_;
   };
 } // namespace springfit
 

@@ -39,9 +39,9 @@ namespace springfit
    */
   template <int dim>
   std::unique_ptr<LinearSolver<dim>>
-  make_cg_solver(const Discretization<dim>                  &discretization,
+  make_cg_solver(const Discretization<dim> &discretization,
                  const typename Discretization<dim>::Matrix &matrix,
-                 double                                      tolerance);
+                 double tolerance);
 } // namespace springfit
 
 #endif

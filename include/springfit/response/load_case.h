@@ -25,7 +25,7 @@ namespace springfit
   /** Forces on the nodes of a mesh. */
   struct LoadCase
   {
-    Load            load;
+    Load load;
     Eigen::MatrixXd forces; // N, dim x n_nodes
   };
 
@@ -33,11 +33,11 @@ namespace springfit
   /** What holds a body, what pulls at it, and along which axis. */
   struct Loading
   {
-    std::vector<bool>     fixed;  // per node: all of its components
-    Eigen::VectorXd       axis;   // unit vector of the pull
-    double                extent; // of the body along the axis, m
-    double                deformation; // wanted largest displacement / extent
-    std::vector<LoadCase> cases;  // of a traction of 1 Pa
+    std::vector<bool> fixed;     // per node: all of its components
+    Eigen::VectorXd axis;        // unit vector of the pull
+    double extent;               // of the body along the axis, m
+    double deformation;          // wanted largest displacement / extent
+    std::vector<LoadCase> cases; // of a traction of 1 Pa
   };
 } // namespace springfit
 

@@ -21,7 +21,7 @@ namespace springfit
     struct Face
     {
       typename dealii::Triangulation<dim>::active_cell_iterator cell;
-      unsigned int                                              number;
+      unsigned int number;
     };
 
     /** Traction in Pa at a point. */
@@ -61,10 +61,10 @@ namespace springfit
 
   private:
     const std::vector<Face> faces_;
-    const Element<dim>     &element_;
-    double                  area_ = 0.;
-    dealii::Point<dim>      centroid_;
-    dealii::Tensor<1, dim>  mean_normal_;
+    const Element<dim> &element_;
+    double area_ = 0.;
+    dealii::Point<dim> centroid_;
+    dealii::Tensor<1, dim> mean_normal_;
   };
 } // namespace springfit
 

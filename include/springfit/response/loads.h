@@ -33,9 +33,9 @@ namespace springfit
      * rigid motion free, with the motion named.
      */
     Loading
-    resolve(const Mesh<dim>    &mesh,
+    resolve(const Mesh<dim> &mesh,
             const Element<dim> &element,
-            double              thickness) const;
+            double thickness) const;
 
   private:
     void
@@ -49,7 +49,7 @@ namespace springfit
     std::string loaded_boundaries_ = "1";
     std::string fixed_region_;
     std::string loaded_region_;
-    double      deformation_ = 0.1;
+    double deformation_ = 0.1;
   };
 } // namespace springfit
 

@@ -29,8 +29,8 @@ namespace springfit
     contains(const dealii::Point<dim> &point) const;
 
   private:
-    const std::string                            expression_;
-    const std::string                            entry_;
+    const std::string expression_;
+    const std::string entry_;
     std::unique_ptr<dealii::FunctionParser<dim>> function_;
   };
 } // namespace springfit

@@ -20,7 +20,7 @@ namespace springfit
   struct Equilibrium
   {
     Eigen::MatrixXd displacement; // m, dim x n_nodes
-    double          seconds;      // wall time of this load alone
+    double seconds;               // wall time of this load alone
   };
 
 
@@ -35,11 +35,11 @@ namespace springfit
      * @p what names the model in errors, and @p seconds is the time that its
      * assembly took.
      */
-    LinearModel(const Discretization<dim>         &discretization,
-                std::unique_ptr<Matrix>            matrix,
+    LinearModel(const Discretization<dim> &discretization,
+                std::unique_ptr<Matrix> matrix,
                 std::unique_ptr<LinearSolver<dim>> solver,
-                const std::string                 &what,
-                double                             seconds);
+                const std::string &what,
+                double seconds);
 
     /**
      * The displacement under @p forces (N, dim x n_nodes), the time being that
@@ -51,11 +51,11 @@ namespace springfit
     respond(const Eigen::MatrixXd &forces) const;
 
   private:
-    const Discretization<dim>               &discretization_;
-    const std::unique_ptr<Matrix>            matrix_;
+    const Discretization<dim> &discretization_;
+    const std::unique_ptr<Matrix> matrix_;
     const std::unique_ptr<LinearSolver<dim>> solver_;
-    const std::string                        what_;
-    const double                             seconds_;
+    const std::string what_;
+    const double seconds_;
   };
 
 
@@ -84,14 +84,14 @@ namespace springfit
 
     LinearModel<dim>
     finite_elements(const Discretization<dim> &discretization,
-                    const Element<dim>        &element,
-                    const MaterialTable       &materials) const;
+                    const Element<dim> &element,
+                    const MaterialTable &materials) const;
 
     /** @p name is the fit's, for errors. */
     LinearModel<dim>
     springs(const Discretization<dim> &discretization,
-            const SpringNetwork       &network,
-            const std::string         &name) const;
+            const SpringNetwork &network,
+            const std::string &name) const;
 
   private:
     void
@@ -99,12 +99,12 @@ namespace springfit
 
     /** The solver for a matrix, as asked for or by its size. */
     std::unique_ptr<LinearSolver<dim>>
-    solver(const Discretization<dim>                  &discretization,
+    solver(const Discretization<dim> &discretization,
            const typename Discretization<dim>::Matrix &matrix) const;
 
     std::string kinematics_word_ = "linear";
     std::string solver_word_     = "automatic";
-    double      tolerance_       = 1e-10;
+    double tolerance_            = 1e-10;
   };
 } // namespace springfit
 

@@ -11,9 +11,9 @@ namespace springfit
   /** The finite element model's stiffness; fixed rows become diagonal. */
   template <int dim>
   void
-  assemble_finite_elements(const Discretization<dim>             &discretization,
-                           const Element<dim>                    &element,
-                           const MaterialTable                   &materials,
+  assemble_finite_elements(const Discretization<dim> &discretization,
+                           const Element<dim> &element,
+                           const MaterialTable &materials,
                            typename Discretization<dim>::Matrix &matrix);
 
   /**
@@ -22,8 +22,8 @@ namespace springfit
    */
   template <int dim>
   void
-  assemble_springs(const Discretization<dim>            &discretization,
-                   const SpringNetwork                  &network,
+  assemble_springs(const Discretization<dim> &discretization,
+                   const SpringNetwork &network,
                    typename Discretization<dim>::Matrix &matrix);
 } // namespace springfit
 

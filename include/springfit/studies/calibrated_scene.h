@@ -13,10 +13,10 @@ namespace springfit
   template <int dim>
   struct CalibratedScene
   {
-    std::unique_ptr<Mesh<dim>>     mesh;
-    Element<dim>                   element;
-    MaterialTable                  materials;
-    double                         volume; // m^3, in 2-d with the thickness
+    std::unique_ptr<Mesh<dim>> mesh;
+    Element<dim> element;
+    MaterialTable materials;
+    double volume; // m^3, in 2-d with the thickness
     std::vector<CalibratedNetwork> networks;
   };
 
@@ -34,9 +34,9 @@ namespace springfit
    */
   template <int dim>
   void
-  calibrate_scene(const Scene<dim>     &scene,
+  calibrate_scene(const Scene<dim> &scene,
                   CalibratedScene<dim> &calibrated,
-                  Session              &session);
+                  Session &session);
 } // namespace springfit
 
 #endif

@@ -21,11 +21,11 @@ namespace springfit
     /** The parameter file's folder: where relative mesh names start. */
     std::filesystem::path folder;
 
-    Geometry<dim>    geometry;
-    Material<dim>    material;
+    Geometry<dim> geometry;
+    Material<dim> material;
     Calibration<dim> calibration;
-    Loads<dim>       loads;
-    Statics<dim>     statics;
+    Loads<dim> loads;
+    Statics<dim> statics;
   };
 } // namespace springfit
 
