@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -10,15 +11,16 @@ namespace springfit
 {
   namespace
   {
-    using Indices = std::vector<Eigen::Index>;
+    using Indices = Eigen::VectorX<Eigen::Index>;
 
     Indices
     positions(const std::vector<bool> &is_free)
     {
-      Indices free;
+      Indices free(std::count(is_free.begin(), is_free.end(), true));
+      Eigen::Index n = 0;
       for (std::size_t s = 0; s < is_free.size(); ++s)
         if (is_free[s])
-          free.push_back(s);
+          free[n++] = s;
       return free;
     }
 
