@@ -6,6 +6,7 @@
 #include <springfit/core/unexpected.h>
 #include <springfit/core/version.h>
 #include <springfit/core/words.h>
+#include <springfit/output/earlier_results.h>
 #include <springfit/studies/study.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -97,15 +99,30 @@ namespace
   void
   write_record(const ParameterSource &source, Session &session)
   {
+    // used.prm stands in another folder than the file that it comes from.
+    auto &prm = dealii::ParameterAcceptor::prm;
+    prm.enter_subsection("Geometry");
+    const std::string mesh = prm.get("File");
+    if (!mesh.empty())
+      prm.set("File",
+              std::filesystem::absolute(source.file.parent_path() / mesh)
+                .lexically_normal()
+                .string());
+    prm.leave_subsection();
+
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.output_directory();
+      remove_earlier_results(folder);
       write_file(folder / "original.prm", [&](std::ostream &file) {
         file << std::ifstream(source.file).rdbuf();
       });
-      write_file(folder / "used.prm", [&](std::ostream &file) {
-        print_parameters(dealii::ParameterAcceptor::prm, file);
-      });
+      write_file(folder / "used.prm",
+                 [&](std::ostream &file) { print_parameters(prm, file); });
     });
+    prm.enter_subsection("Geometry");
+    prm.set("File", mesh);
+    prm.leave_subsection();
+
     session.print(version() + ", " + source.file.string() + ", ranks: " +
                   std::to_string(dealii::Utilities::MPI::n_mpi_processes(
                     session.communicator())));
@@ -168,10 +185,18 @@ namespace
       }
   }
 
-  /** Say what went wrong, once, and how the program ends. */
+  /**
+   * Say what went wrong, once, and how the program ends. A rank that fails
+   * alone must stop the others, who wait for it.
+   */
   Status
   report(const std::string &message, const Status status)
   {
+    if (!all_ranks_arrive(MPI_COMM_WORLD, 5.))
+      {
+        std::cerr << "Error: " << message << std::endl;
+        MPI_Abort(MPI_COMM_WORLD, static_cast<int>(status));
+      }
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::cerr << "Error: " << message << std::endl;
     return status;

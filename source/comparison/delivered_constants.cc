@@ -5,6 +5,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace springfit
@@ -41,7 +42,7 @@ namespace springfit
   } // namespace
 
   template <int dim>
-  YoungPoisson
+  std::optional<YoungPoisson>
   delivered_constants(const Mesh<dim> &mesh,
                       const Element<dim> &element,
                       const Eigen::VectorXd &axis,
@@ -81,23 +82,29 @@ namespace springfit
                                    displacement.col(cell->vertex_index(a));
           }
       }
+    if (volume == 0.)
+      return {};
     gradient /= volume;
 
     const double axial   = axis.dot(gradient * axis);
     const double lateral = (gradient.trace() - axial) / (dim - 1);
     const double force   = axis.dot(forces.rowwise().sum());
     const double area    = thickness * volume / middle.length();
-    return {force / area / axial, -lateral / axial};
+    const double strained =
+      displacement.colwise().norm().maxCoeff() / object.length();
+    if (std::abs(axial) <= 1e-9 * strained)
+      return {};
+    return YoungPoisson{force / area / axial, -lateral / axial};
   }
 
-  template YoungPoisson
+  template std::optional<YoungPoisson>
   delivered_constants<2>(const Mesh<2> &,
                          const Element<2> &,
                          const Eigen::VectorXd &,
                          const Eigen::MatrixXd &,
                          const Eigen::MatrixXd &,
                          double);
-  template YoungPoisson
+  template std::optional<YoungPoisson>
   delivered_constants<3>(const Mesh<3> &,
                          const Element<3> &,
                          const Eigen::VectorXd &,

@@ -70,4 +70,11 @@ namespace springfit
     return {4. * mu * (lambda + mu) / (lambda + 2. * mu),
             lambda / (lambda + 2. * mu)};
   }
+
+  YoungPoisson
+  from_plane_strain(const YoungPoisson &apparent)
+  {
+    const double nu = apparent.poissons_ratio / (1. + apparent.poissons_ratio);
+    return {apparent.youngs_modulus * (1. - nu * nu), nu};
+  }
 } // namespace springfit

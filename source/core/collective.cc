@@ -4,6 +4,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <chrono>
 #include <string>
 #include <tuple>
 
@@ -74,6 +75,20 @@ namespace springfit
           case Outcome::run_error:
             throw RunError(message);
         }
+  }
+
+  bool
+  all_ranks_arrive(const MPI_Comm communicator, const double seconds)
+  {
+    MPI_Request request;
+    int arrived      = 0;
+    const auto start = std::chrono::steady_clock::now();
+    MPI_Ibarrier(communicator, &request);
+    do
+      MPI_Test(&request, &arrived, MPI_STATUS_IGNORE);
+    while (arrived == 0 && std::chrono::steady_clock::now() - start <
+                             std::chrono::duration<double>(seconds));
+    return arrived != 0;
   }
 
   void

@@ -318,9 +318,11 @@ namespace springfit
   std::string
   locate(const EntryError &error, const ParameterSource &source)
   {
-    for (const auto &text : source.overrides)
-      if (parse_override(text).entry == error.entry)
-        return "--set \"" + text + "\": " + error.what();
+    // The last one is in force.
+    for (auto text = source.overrides.rbegin(); text != source.overrides.rend();
+         ++text)
+      if (parse_override(*text).entry == error.entry)
+        return "--set \"" + *text + "\": " + error.what();
 
     std::optional<unsigned int> number;
     std::ifstream file(source.file);

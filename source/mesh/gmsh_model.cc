@@ -168,6 +168,12 @@ namespace springfit
                                                      coordinates[3 * i + 1],
                                                      coordinates[3 * i + 2]}};
         }
+      if (nodes.size() > used.size())
+        result.mesh.warnings.push_back(
+          std::to_string(nodes.size() - used.size()) + " of the " +
+          std::to_string(nodes.size()) +
+          " nodes of the mesh belong to no cell and are left out; the others "
+          "are numbered from 0 in the order of their numbers there.");
     }
   } // namespace
 

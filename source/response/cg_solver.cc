@@ -61,7 +61,10 @@ namespace springfit
         data.set_parameters(parameters, constant_modes, matrix);
         parameters.set("null space: type", "pre-computed");
         parameters.set("null space: dimension", null_space_->NumVectors());
-        parameters.set("null space: vectors", null_space_->Values());
+        // ML wants an address also on a rank that owns no rows.
+        parameters.set("null space: vectors",
+                       null_space_->MyLength() > 0 ? null_space_->Values()
+                                                   : &no_rows_);
         parameters.set("PDE equations", dim);
         parameters.set("ML output", 0);
         preconditioner_.initialize(matrix, parameters);
@@ -80,12 +83,8 @@ namespace springfit
           }
         catch (const dealii::SolverControl::NoConvergence &)
           {
-            throw RunError(
-              "Conjugate gradients did not converge in " +
-                std::to_string(control.last_step()) + " steps.",
-              "The stiffness may not be positive definite (negative springs "
-              "do that): set 'Nonnegative = true' in section Fit, or 'Solver "
-              "= direct' in section Response.");
+            throw RunError("conjugate gradients did not converge in " +
+                           std::to_string(control.last_step()) + " steps.");
           }
         return displacement;
       }
@@ -93,6 +92,7 @@ namespace springfit
     private:
       const Matrix &matrix_;
       const double tolerance_;
+      double no_rows_ = 0.;
       const std::unique_ptr<Epetra_MultiVector> null_space_;
       dealii::TrilinosWrappers::PreconditionAMG preconditioner_;
     };

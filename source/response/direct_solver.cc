@@ -27,9 +27,7 @@ namespace springfit
         catch (const dealii::ExceptionBase &)
           {
             throw RunError(
-              "The stiffness matrix is singular: it could not be factored.",
-              "A part of the object can move without resistance; hold it, or "
-              "ask for another fit.");
+              "the stiffness matrix is singular, it cannot be factored.");
           }
       }
 

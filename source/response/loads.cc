@@ -1,11 +1,10 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 #include <springfit/mesh/boundaries.h>
-#include <springfit/mesh/connected_parts.h>
 #include <springfit/response/loaded_surface.h>
 #include <springfit/response/loads.h>
 #include <springfit/response/region.h>
-#include <springfit/response/rigid_motion.h>
+#include <springfit/response/supports.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,60 +117,6 @@ namespace springfit
                   dealii::cross_product_3d(axis, point - centroid) / radius;
               return traction;
             };
-        }
-    }
-
-    template <int dim>
-    std::vector<unsigned int>
-    part_of_nodes(const dealii::Triangulation<dim> &triangulation)
-    {
-      ConnectedParts parts(triangulation.n_vertices());
-      for (const auto &cell : triangulation.active_cell_iterators())
-        for (const unsigned int v : cell->vertex_indices())
-          parts.connect(cell->vertex_index(0), cell->vertex_index(v));
-      return parts.part_of_nodes();
-    }
-
-    /** Refuse supports that leave a part of the body a rigid motion. */
-    template <int dim>
-    void
-    check_supports(const Mesh<dim> &mesh,
-                   const std::vector<bool> &fixed,
-                   const std::string &entry)
-    {
-      const auto &vertices = mesh.triangulation.get_vertices();
-      const auto part_of   = part_of_nodes(mesh.triangulation);
-      const auto n_parts =
-        1 + *std::max_element(part_of.begin(), part_of.end());
-
-      std::vector<std::vector<unsigned int>> supports(n_parts);
-      for (unsigned int v = 0; v < vertices.size(); ++v)
-        if (fixed[v])
-          supports[part_of[v]].push_back(v);
-
-      for (unsigned int p = 0; p < n_parts; ++p)
-        {
-          Eigen::MatrixXd points(dim, supports[p].size());
-          for (unsigned int s = 0; s < supports[p].size(); ++s)
-            points.col(s) =
-              to_eigen<dim>(vertices[supports[p][s]] - dealii::Point<dim>());
-          const std::string motion = free_rigid_motion(points);
-          if (!motion.empty())
-            throw EntryError(
-              entry,
-              "the supports (" + std::to_string(supports[p].size()) +
-                " fixed node" + (supports[p].size() == 1 ? "" : "s") +
-                ") leave " +
-                (n_parts == 1 ? "the object"
-                              : "part " + std::to_string(p + 1) + " of the " +
-                                  std::to_string(n_parts) +
-                                  " unconnected parts of the mesh") +
-                " free: " + motion + '.',
-              "Fix " +
-                std::string(dim == 2 ? "two nodes"
-                                     : "three nodes that are not on a "
-                                       "line") +
-                " at least, by 'Fixed boundaries' or 'Fixed region'.");
         }
     }
   } // namespace

@@ -17,7 +17,8 @@ namespace springfit
     {
       expression =
         std::regex_replace(expression, std::regex("\\band\\b"), "&&");
-      return std::regex_replace(expression, std::regex("\\bor\\b"), "||");
+      expression = std::regex_replace(expression, std::regex("\\bor\\b"), "||");
+      return std::regex_replace(expression, std::regex("\\bnot\\b"), "!");
     }
 
     /** muParser's own words about what it did not understand. */
@@ -59,6 +60,13 @@ namespace springfit
     , entry_(entry)
     , function_(std::make_unique<dealii::FunctionParser<dim>>(1))
   {
+    // muParser takes a single equals sign for an assignment.
+    if (std::regex_search(expression, std::regex("(^|[^=<>!])=([^=]|$)")))
+      throw EntryError(entry,
+                       "the expression '" + expression +
+                         "' has a single equals sign.",
+                       "Compare by <, >, <=, >= or ==; for a plane of nodes "
+                       "write abs(x - 0.02) < 1e-6, for instance.");
     const std::string names = dim == 2 ? "x,y" : "x,y,z";
     const QuietErrors quiet;
     try

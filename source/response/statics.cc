@@ -30,18 +30,58 @@ namespace springfit
         {SolverChoice::cg, "cg"}};
       return table;
     }
+
+    RunError
+    not_found(const ModelWords &words, const std::string &reason)
+    {
+      return RunError("The equilibrium of " + words.name +
+                        " was not found: " + reason,
+                      words.advice);
+    }
+
+    /** Do @p work; a failure of the solver is said in the model's words. */
+    template <typename Work>
+    auto
+    explaining(const ModelWords &words, const Work &work)
+    {
+      try
+        {
+          return work();
+        }
+      catch (const RunError &error)
+        {
+          throw not_found(words, error.what());
+        }
+    }
+
+    ModelWords
+    words_of_finite_elements()
+    {
+      return {"the finite element model",
+              "A part of the object can move without resistance: check the "
+              "mesh and the supports."};
+    }
+
+    ModelWords
+    words_of_springs(const std::string &fit)
+    {
+      return {"the springs of the fit '" + fit + "'",
+              "Springs of negative stiffness may cancel the others: set "
+              "'Nonnegative = true' in section Fit, or 'Solver = direct' in "
+              "section Response, or ask for another fit."};
+    }
   } // namespace
 
   template <int dim>
   LinearModel<dim>::LinearModel(const Discretization<dim> &discretization,
                                 std::unique_ptr<Matrix> matrix,
                                 std::unique_ptr<LinearSolver<dim>> solver,
-                                const std::string &what,
+                                const ModelWords &words,
                                 const double seconds)
     : discretization_(discretization)
     , matrix_(std::move(matrix))
     , solver_(std::move(solver))
-    , what_(what)
+    , words_(words)
     , seconds_(seconds)
   {}
 
@@ -51,7 +91,8 @@ namespace springfit
   {
     dealii::Timer timer(discretization_.communicator());
     const auto right_hand_side = discretization_.to_vector(forces);
-    const auto displacement    = solver_->solve(right_hand_side);
+    const auto displacement =
+      explaining(words_, [&]() { return solver_->solve(right_hand_side); });
 
     auto residual = right_hand_side;
     matrix_->residual(residual, displacement, right_hand_side);
@@ -59,15 +100,9 @@ namespace springfit
       residual.l2_norm() / (right_hand_side.l2_norm() + 1e-300);
     if (!(relative < 1e-6))
       {
-        std::ostringstream text;
-        text << "The equilibrium of " << what_
-             << " was not found: the forces left over are " << relative
-             << " of the load.";
-        throw RunError(text.str(),
-                       "Its stiffness is singular or nearly so: a part of the "
-                       "object can move without resistance, or springs of "
-                       "negative stiffness cancel the others ('Nonnegative = "
-                       "true' in section Fit forbids them).");
+        std::ostringstream reason;
+        reason << "the forces left over are " << relative << " of the load.";
+        throw not_found(words_, reason.str());
       }
     timer.stop();
     return {discretization_.to_nodal(displacement),
@@ -142,12 +177,14 @@ namespace springfit
     auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
     discretization.initialize(*matrix);
     assemble_finite_elements(discretization, element, materials, *matrix);
-    auto linear_solver = solver(discretization, *matrix);
+    const auto words = words_of_finite_elements();
+    auto linear_solver =
+      explaining(words, [&]() { return solver(discretization, *matrix); });
     timer.stop();
     return LinearModel<dim>(discretization,
                             std::move(matrix),
                             std::move(linear_solver),
-                            "the finite element model",
+                            words,
                             timer.wall_time());
   }
 
@@ -161,12 +198,14 @@ namespace springfit
     auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
     discretization.initialize(*matrix);
     assemble_springs(discretization, network, *matrix);
-    auto linear_solver = solver(discretization, *matrix);
+    const auto words = words_of_springs(name);
+    auto linear_solver =
+      explaining(words, [&]() { return solver(discretization, *matrix); });
     timer.stop();
     return LinearModel<dim>(discretization,
                             std::move(matrix),
                             std::move(linear_solver),
-                            "the springs of the fit '" + name + "'",
+                            words,
                             timer.wall_time());
   }
 

@@ -1,6 +1,7 @@
 #include <springfit/comparison/homogenised_tensor.h>
 #include <springfit/core/collective.h>
 #include <springfit/mesh/boundaries.h>
+#include <springfit/mesh/materials.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/studies/calibrated_scene.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <string>
 
 namespace springfit
@@ -99,18 +101,17 @@ namespace springfit
         }
 
       // Cauchy's relations: lambda = mu, whatever the constants.
+      std::set<double> dishonoured;
       for (const auto &[id, material] : calibrated.materials)
-        if (const double wanted = material.constants.poissons_ratio;
-            std::abs(wanted - constants.poissons_ratio) > 0.01)
-          {
-            session.warn(formatted(
-              "Springs alone cannot honour Poisson's ratio %.4g: a network of "
-              "springs delivers %.4g in this setting, whatever their "
-              "stiffness.",
-              wanted,
-              constants.poissons_ratio));
-            break;
-          }
+        if (std::abs(material.constants.poissons_ratio -
+                     constants.poissons_ratio) > 0.01)
+          dishonoured.insert(material.constants.poissons_ratio);
+      for (const double wanted : dishonoured)
+        session.warn(formatted(
+          "Springs alone cannot honour Poisson's ratio %.4g: a network of "
+          "springs delivers %.4g in this setting, whatever their stiffness.",
+          wanted,
+          constants.poissons_ratio));
     }
   } // namespace
 
@@ -139,6 +140,9 @@ namespace springfit
                             word_of(cell_kind_words(), mesh.cell_kind).c_str(),
                             calibrated.volume));
     session.print(format_boundary_table<dim>(boundary_table(mesh)));
+    const auto mesh_materials = material_table(mesh);
+    if (mesh_materials.size() > 1 || !mesh.material_names.empty())
+      session.print(format_material_table<dim>(mesh_materials));
     for (const auto &warning : mesh.warnings)
       session.warn(warning);
     return calibrated;

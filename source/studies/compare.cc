@@ -2,12 +2,15 @@
 #include <springfit/comparison/errors.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/core/progress.h>
 #include <springfit/output/tables.h>
 #include <springfit/output/vtu.h>
+#include <springfit/response/stability.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/study.h>
 
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,8 +40,12 @@ namespace springfit
                                                        calibrated.element,
                                                        calibrated.materials);
       std::vector<CaseResult> results;
+      Progress progress("Responses of the finite elements",
+                        loading.cases.size(),
+                        session.is_root());
       for (const auto &unit : loading.cases)
         {
+          progress.step();
           CaseResult result{unit, model.respond(unit.forces), {}};
           const double largest =
             largest_displacement(result.reference.displacement);
@@ -63,6 +70,9 @@ namespace springfit
                    Session &session,
                    std::vector<CaseResult> &results)
     {
+      Progress progress("Responses of the springs",
+                        calibrated.networks.size() * results.size(),
+                        session.is_root());
       for (const auto &network : calibrated.networks)
         {
           dealii::TimerOutput::Scope scope(session.timer(),
@@ -70,8 +80,58 @@ namespace springfit
           const auto model =
             scene.statics.springs(discretization, network.network, network.fit);
           for (auto &result : results)
-            result.models.push_back(model.respond(result.load_case.forces));
+            {
+              result.models.push_back(model.respond(result.load_case.forces));
+              progress.step();
+            }
         }
+    }
+
+    /** The material's constants as a tensile test would find them. */
+    template <int dim>
+    std::optional<YoungPoisson>
+    delivered(const Scene<dim> &scene,
+              const CalibratedScene<dim> &calibrated,
+              const Loading &loading,
+              const Eigen::MatrixXd &forces,
+              const Eigen::MatrixXd &displacement)
+    {
+      const auto apparent =
+        delivered_constants(*calibrated.mesh,
+                            calibrated.element,
+                            loading.axis,
+                            displacement,
+                            forces,
+                            calibrated.materials.begin()->second.thickness);
+      if (apparent && dim == 2 &&
+          scene.material.plane_state() == PlaneState::strain)
+        return from_plane_strain(*apparent);
+      return apparent;
+    }
+
+    /**
+     * Warn of networks that are not at rest in a minimum of energy. Counting
+     * takes a direct factorisation, which is too much for the largest ones.
+     */
+    template <int dim>
+    void
+    check_stability(const CalibratedScene<dim> &calibrated,
+                    const Loading &loading,
+                    Session &session)
+    {
+      constexpr Eigen::Index largest = dim == 2 ? 50000 : 5000; // nodes
+      for (const auto &network : calibrated.networks)
+        if (n_negative(network.network) > 0 &&
+            network.network.nodes.cols() <= largest)
+          if (const unsigned int n =
+                n_unstable_motions(network.network, loading.fixed);
+              n > 0)
+            session.warn(
+              "The springs of the fit '" + network.fit +
+              "' are unstable: " + std::to_string(n) +
+              " of their motions release energy, so that their figures below "
+              "are not those of an object at rest. Set 'Nonnegative = true' "
+              "in section Fit.");
     }
 
     template <int dim>
@@ -81,8 +141,7 @@ namespace springfit
               const Loading &loading,
               const std::vector<CaseResult> &results)
     {
-      const auto &mesh       = *calibrated.mesh;
-      const double thickness = calibrated.materials.begin()->second.thickness;
+      const auto &mesh = *calibrated.mesh;
       const auto row = [&](const CaseResult &result, const Equilibrium &model) {
         ComparisonRow row{};
         row.load_case  = word_of(load_words(), result.load_case.load);
@@ -90,12 +149,11 @@ namespace springfit
         row.errors =
           error_norms(result.reference.displacement, model.displacement);
         if (result.load_case.load == Load::tension)
-          row.delivered = delivered_constants(mesh,
-                                              calibrated.element,
-                                              loading.axis,
-                                              model.displacement,
-                                              result.load_case.forces,
-                                              thickness);
+          row.delivered = delivered(scene,
+                                    calibrated,
+                                    loading,
+                                    result.load_case.forces,
+                                    model.displacement);
         row.n_nodes     = mesh.triangulation.n_vertices();
         row.n_cells     = mesh.triangulation.n_active_cells();
         row.fem_seconds = result.reference.seconds;
@@ -212,6 +270,7 @@ namespace springfit
     auto results =
       solve_reference(scene, discretization, calibrated, loading, session);
     solve_networks(scene, discretization, calibrated, session, results);
+    check_stability(calibrated, loading, session);
     const auto rows = make_rows(scene, calibrated, loading, results);
 
     session.print(

@@ -159,6 +159,9 @@ TEST(YoungPoisson, InvertsTheLameConstants)
   auto constants = young_poisson(E * nu / ((1. + nu) * (1. - 2. * nu)), mu);
   EXPECT_NEAR(constants.youngs_modulus, E, 1e-12);
   EXPECT_NEAR(constants.poissons_ratio, nu, 1e-12);
+  constants = from_plane_strain({E / (1. - nu * nu), nu / (1. - nu)});
+  EXPECT_NEAR(constants.youngs_modulus, E, 1e-12);
+  EXPECT_NEAR(constants.poissons_ratio, nu, 1e-12);
   constants = young_poisson_plane_stress(E * nu / (1. - nu * nu), mu);
   EXPECT_NEAR(constants.youngs_modulus, E, 1e-12);
   EXPECT_NEAR(constants.poissons_ratio, nu, 1e-12);

@@ -2,6 +2,7 @@
 #include <springfit/comparison/errors.h>
 #include <springfit/response/loads.h>
 #include <springfit/response/region.h>
+#include <springfit/response/stability.h>
 #include <springfit/response/statics.h>
 
 #include <gtest/gtest.h>
@@ -75,8 +76,8 @@ namespace
       delivered_constants(*mesh, element, loading.axis, u, forces, h);
     // In space the slab is cut from plane-faced simplices, which the faces of
     // moved vertices are not quite.
-    EXPECT_NEAR(delivered.youngs_modulus, E, (dim == 2 ? 1e-7 : 1e-3) * E);
-    EXPECT_NEAR(delivered.poissons_ratio, 0., 1e-9);
+    EXPECT_NEAR(delivered->youngs_modulus, E, (dim == 2 ? 1e-7 : 1e-3) * E);
+    EXPECT_NEAR(delivered->poissons_ratio, 0., 1e-9);
   }
 } // namespace
 
@@ -143,6 +144,71 @@ TEST(Springs, AMechanismIsRefused)
   EXPECT_THROW(
     statics->springs(discretization, network, "test").respond(forces),
     RunError);
+}
+
+TEST(Springs, UnstableMotionsAreCounted)
+{
+  // One free node between three fixed ones: the tangent is k_x and k_y.
+  SpringNetwork network;
+  network.nodes.resize(2, 3);
+  network.nodes << 0., 1., 1., //
+    0., 0., 1.;
+  network.i                     = {0, 1};
+  network.j                     = {1, 2};
+  network.stiffness             = {2., 3.};
+  network.rest_length           = {1., 1.};
+  const std::vector<bool> fixed = {true, false, true};
+  EXPECT_EQ(n_unstable_motions(network, fixed), 0u);
+  network.stiffness = {2., -3.};
+  EXPECT_EQ(n_unstable_motions(network, fixed), 1u);
+  network.stiffness = {-2., -3.};
+  EXPECT_EQ(n_unstable_motions(network, fixed), 2u);
+
+  // Against dense eigenvalues, with springs of both signs.
+  oracle::Random random(11);
+  const auto mesh = oracle::box_mesh<3>(2, 1., 0.2, random);
+  network.nodes   = nodes_of(*mesh);
+  network.i.clear();
+  network.j.clear();
+  network.stiffness.clear();
+  for (unsigned int i = 0; i < 27; ++i)
+    for (unsigned int j = i + 1; j < 27; ++j)
+      {
+        network.i.push_back(i);
+        network.j.push_back(j);
+        network.stiffness.push_back(random(-0.4, 1.));
+      }
+  std::vector<bool> held(27, false);
+  std::fill_n(held.begin(), 9, true);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(81, 81);
+  for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+    {
+      Eigen::VectorXd b = Eigen::VectorXd::Zero(81);
+      const Eigen::VectorXd n =
+        (network.nodes.col(network.j[s]) - network.nodes.col(network.i[s]))
+          .normalized();
+      b.segment(3 * network.i[s], 3) = -n;
+      b.segment(3 * network.j[s], 3) = n;
+      K += network.stiffness[s] * b * b.transpose();
+    }
+  const Eigen::VectorXd eigenvalues =
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K.bottomRightCorner(54, 54))
+      .eigenvalues();
+  const unsigned int expected = (eigenvalues.array() < 0.).count();
+  EXPECT_GT(expected, 0u);
+  EXPECT_EQ(n_unstable_motions(network, held), expected);
+}
+
+TEST(DeliveredConstants, AreNothingWhereNothingIsStrained)
+{
+  oracle::Random random(12);
+  const auto mesh    = oracle::box_mesh<2>(3, 1., 0., random);
+  const auto element = make_element<2>(mesh->cell_kind);
+  Eigen::MatrixXd u =
+    Eigen::MatrixXd::Zero(2, mesh->triangulation.n_vertices());
+  u(0, 3) = 1.; // a corner, outside the middle third
+  EXPECT_FALSE(
+    delivered_constants(*mesh, element, Eigen::Vector2d::UnitX(), u, u, 1.));
 }
 
 TEST(Loads, BalanceTheTractionOfOnePascal)

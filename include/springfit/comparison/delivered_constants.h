@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace springfit
 {
   /**
@@ -18,12 +20,15 @@ namespace springfit
    * @p axis (a unit vector); a cell counts by the part of its volume that lies
    * in the middle third.
    *
+   * Nothing where there is nothing to measure: no material in the middle third,
+   * or none that is strained.
+   *
    * @param displacement m, dim x n_nodes
    * @param forces       N, dim x n_nodes, those that pull
    * @param thickness    m in 2-d, 1 in 3-d
    */
   template <int dim>
-  YoungPoisson
+  std::optional<YoungPoisson>
   delivered_constants(const Mesh<dim> &mesh,
                       const Element<dim> &element,
                       const Eigen::VectorXd &axis,

@@ -52,6 +52,13 @@ namespace springfit
 
   YoungPoisson
   young_poisson_plane_stress(double lambda, double mu);
+
+  /**
+   * The constants of a material of which a test in plane strain shows the
+   * @p apparent ones, E / (1 - nu^2) and nu / (1 - nu).
+   */
+  YoungPoisson
+  from_plane_strain(const YoungPoisson &apparent);
 } // namespace springfit
 
 #endif

@@ -16,7 +16,14 @@ namespace springfit
   void
   run_collectively(MPI_Comm communicator, const std::function<void()> &work);
 
-  /** The same for work that only the first rank does. */
+  /**
+   * Whether every rank calls this within @p seconds: how a rank that failed
+   * finds out whether the others failed alike, or wait for it in vain.
+   */
+  bool
+  all_ranks_arrive(MPI_Comm communicator, double seconds);
+
+  /** run_collectively() for work that only the first rank does. */
   void
   run_on_root(MPI_Comm communicator, const std::function<void()> &work);
 } // namespace springfit

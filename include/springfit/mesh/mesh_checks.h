@@ -60,7 +60,8 @@ namespace springfit
    * Jacobians at the corners of a cell, each divided by the lengths of the
    * edges that meet there: 1 at a right angle, 0 where the cell is flat,
    * negative where it is inverted. One value for a simplex, 4 for a
-   * quadrilateral, 8 for a hexahedron.
+   * quadrilateral, 16 for a hexahedron: also at the 2 x 2 x 2 Gauss points,
+   * where the Jacobian can be negative although all corners are good.
    */
   std::vector<double>
   scaled_jacobians(const MeshDescription &mesh, unsigned int cell);

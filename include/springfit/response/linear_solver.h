@@ -22,7 +22,7 @@ namespace springfit
 
     virtual ~LinearSolver() = default;
 
-    /** @throws RunError when there is no solution or it is not found. */
+    /** @throws RunError with the reason when no solution is found. */
     virtual Vector
     solve(const Vector &forces) = 0;
   };

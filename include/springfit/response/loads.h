@@ -19,8 +19,8 @@ namespace springfit
     Loads();
 
     /**
-     * The supports and the consistent nodal forces of a traction of 1 Pa on
-     * the loaded part of the boundary (in 2-d times @p thickness in m).
+     * The supports and the nodal forces of a traction of 1 Pa (at its largest)
+     * on the loaded part of the boundary (in 2-d times @p thickness in m).
      *
      * The axis of the pull is the mean outward normal of the loaded part. The
      * traction is uniform along it (tension), against it (compression), or

@@ -16,11 +16,23 @@
 
 namespace springfit
 {
-  /** Where a model comes to rest, and what it cost to find out. */
+  /**
+   * Where a model comes to rest, and what it costs to find out: the wall time
+   * of the assembly, of the factors (or the hierarchy) and of this solution, as
+   * if this load were the only one.
+   */
   struct Equilibrium
   {
     Eigen::MatrixXd displacement; // m, dim x n_nodes
-    double seconds;               // wall time of this load alone
+    double seconds;
+  };
+
+
+  /** How an error speaks of a model, and what it advises. */
+  struct ModelWords
+  {
+    std::string name;
+    std::string advice;
   };
 
 
@@ -32,13 +44,12 @@ namespace springfit
     using Matrix = typename Discretization<dim>::Matrix;
 
     /**
-     * @p what names the model in errors, and @p seconds is the time that its
-     * assembly took.
+     * @p seconds is the time that the assembly and the solver's set-up took.
      */
     LinearModel(const Discretization<dim> &discretization,
                 std::unique_ptr<Matrix> matrix,
                 std::unique_ptr<LinearSolver<dim>> solver,
-                const std::string &what,
+                const ModelWords &words,
                 double seconds);
 
     /**
@@ -54,7 +65,7 @@ namespace springfit
     const Discretization<dim> &discretization_;
     const std::unique_ptr<Matrix> matrix_;
     const std::unique_ptr<LinearSolver<dim>> solver_;
-    const std::string what_;
+    const ModelWords words_;
     const double seconds_;
   };
 

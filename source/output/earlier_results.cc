@@ -1,0 +1,31 @@
+#include <springfit/core/error.h>
+#include <springfit/output/earlier_results.h>
+
+#include <regex>
+#include <vector>
+
+namespace springfit
+{
+  void
+  remove_earlier_results(const std::filesystem::path &folder)
+  {
+    if (!std::filesystem::exists(folder / "used.prm"))
+      return;
+    const std::regex results(
+      "(comparison|fit|nodes|springs_.*)\\.csv|.*\\.vtu|.*\\.pvd");
+    std::vector<std::filesystem::path> files;
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+      if (entry.is_regular_file() &&
+          std::regex_match(entry.path().filename().string(), results))
+        files.push_back(entry.path());
+    for (const auto &file : files)
+      {
+        std::error_code error;
+        std::filesystem::remove(file, error);
+        if (error)
+          throw RunError("The result of an earlier run, '" + file.string() +
+                           "', cannot be removed: " + error.message() + '.',
+                         "Choose another 'Output directory'.");
+      }
+  }
+} // namespace springfit

@@ -1,0 +1,117 @@
+#include <springfit/core/error.h>
+#include <springfit/mesh/connected_parts.h>
+#include <springfit/response/rigid_motion.h>
+#include <springfit/response/supports.h>
+
+#include <algorithm>
+#include <set>
+
+namespace springfit
+{
+  namespace
+  {
+    /** The nodes of each part, parts being cells joined by faces. */
+    template <int dim>
+    std::vector<std::set<unsigned int>>
+    nodes_of_parts(const dealii::Triangulation<dim> &triangulation)
+    {
+      ConnectedParts parts(triangulation.n_active_cells());
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (!cell->at_boundary(f))
+            parts.connect(cell->active_cell_index(),
+                          cell->neighbor(f)->active_cell_index());
+      const auto part_of_cells = parts.part_of_nodes();
+
+      std::vector<std::set<unsigned int>> nodes(
+        1 + *std::max_element(part_of_cells.begin(), part_of_cells.end()));
+      for (const auto &cell : triangulation.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          nodes[part_of_cells[cell->active_cell_index()]].insert(
+            cell->vertex_index(v));
+      return nodes;
+    }
+
+    /** The positions of those nodes of a part that are held, dim x n in m. */
+    template <int dim>
+    Eigen::MatrixXd
+    held_points(const std::set<unsigned int> &nodes,
+                const std::vector<bool> &held,
+                const std::vector<dealii::Point<dim>> &vertices)
+    {
+      std::vector<unsigned int> selected;
+      for (const unsigned int v : nodes)
+        if (held[v])
+          selected.push_back(v);
+      Eigen::MatrixXd points(dim, selected.size());
+      for (unsigned int s = 0; s < selected.size(); ++s)
+        for (int d = 0; d < dim; ++d)
+          points(d, s) = vertices[selected[s]][d];
+      return points;
+    }
+  } // namespace
+
+  template <int dim>
+  void
+  check_supports(const Mesh<dim> &mesh,
+                 const std::vector<bool> &fixed,
+                 const std::string &entry)
+  {
+    const auto &vertices = mesh.triangulation.get_vertices();
+    const auto parts     = nodes_of_parts(mesh.triangulation);
+
+    // Parts that are held hold their neighbours, until nothing changes.
+    std::vector<bool> held_nodes = fixed;
+    std::vector<bool> part_is_held(parts.size(), false);
+    for (bool changed = true; changed;)
+      {
+        changed = false;
+        for (unsigned int p = 0; p < parts.size(); ++p)
+          if (!part_is_held[p] &&
+              free_rigid_motion(
+                held_points<dim>(parts[p], held_nodes, vertices))
+                .empty())
+            {
+              part_is_held[p] = true;
+              changed         = true;
+              for (const unsigned int v : parts[p])
+                held_nodes[v] = true;
+            }
+      }
+
+    for (unsigned int p = 0; p < parts.size(); ++p)
+      if (!part_is_held[p])
+        {
+          const auto points = held_points<dim>(parts[p], held_nodes, vertices);
+          const auto n_fixed =
+            std::count_if(parts[p].begin(),
+                          parts[p].end(),
+                          [&](const unsigned int v) { return fixed[v]; });
+          throw EntryError(
+            entry,
+            "the supports (" + std::to_string(n_fixed) + " fixed node" +
+              (n_fixed == 1 ? "" : "s") + ") leave " +
+              (parts.size() == 1
+                 ? "the object"
+                 : "part " + std::to_string(p + 1) + " of the " +
+                     std::to_string(parts.size()) +
+                     " parts of the mesh that no common face connects") +
+              (points.cols() > n_fixed ? ", hinged to the others," : "") +
+              " free: " + free_rigid_motion(points) + '.',
+            "Fix " +
+              std::string(dim == 2 ? "two nodes"
+                                   : "three nodes that are not on a line") +
+              " at least of each part, by 'Fixed boundaries' or 'Fixed "
+              "region', or connect the parts by faces.");
+        }
+  }
+
+  template void
+  check_supports<2>(const Mesh<2> &,
+                    const std::vector<bool> &,
+                    const std::string &);
+  template void
+  check_supports<3>(const Mesh<3> &,
+                    const std::vector<bool> &,
+                    const std::string &);
+} // namespace springfit
