@@ -75,7 +75,7 @@ TEST(Checks, jacobians_are_one_at_right_angles_and_scale_free)
       vertex[2] *= 1e3;
     }
   const auto jacobians = scaled_jacobians(mesh, 0);
-  ASSERT_EQ(jacobians.size(), 8u);
+  ASSERT_EQ(jacobians.size(), 16u);
   for (const double j : jacobians)
     EXPECT_NEAR(j, 1., 1e-14);
   EXPECT_NO_THROW(check_mesh(mesh));
