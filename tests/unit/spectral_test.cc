@@ -1,0 +1,267 @@
+#include <springfit/fit/barrier_engine.h>
+#include <springfit/fit/certificate.h>
+#include <springfit/fit/fit.h>
+#include <springfit/fit/ipopt_engine.h>
+#include <springfit/fit/spectral.h>
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "fits.h"
+
+using namespace springfit;
+using namespace springfit::oracle;
+
+namespace
+{
+  // The spectral program.
+
+  TEST(Spectral, ProjectedProblemHasTheSameNorms)
+  {
+    Random random(7);
+    for (const CellKind kind : all_kinds)
+      {
+        const auto problem      = oracle::random_problem(kind, random);
+        const auto scaled       = make_spectral_problem(problem, false);
+        const Eigen::VectorXd k = random.matrix(problem.springs.size(), 1);
+        EXPECT_NEAR(spectral_norm(scaled.R), 1., 1e-13);
+        EXPECT_NEAR(scaled.scale * spectral_norm(residual(scaled, k)),
+                    spectral_norm(residual(problem, scaled.scale * k)),
+                    1e-12);
+      }
+  }
+
+  TEST(Spectral, PivotsArePositiveExactlyInsideTheCone)
+  {
+    Random random(8);
+    for (const CellKind kind : all_kinds)
+      {
+        const auto problem =
+          make_spectral_problem(oracle::random_problem(kind, random), false);
+        Eigen::VectorXd x = random.matrix(problem.B.cols() + 1, 1);
+        const double norm =
+          spectral_norm(residual(problem, x.head(problem.B.cols())));
+        x[problem.B.cols()] = 1.001 * norm;
+        ASSERT_TRUE(pivots(problem, x));
+        EXPECT_GT(pivots(problem, x)->minCoeff(), 0.);
+        x[problem.B.cols()] = 0.999 * norm;
+        EXPECT_FALSE(pivots(problem, x));
+        EXPECT_FALSE(pivot_jacobian(problem, x));
+      }
+  }
+
+  TEST(Spectral, PivotsAreThoseOfTheFactorisation)
+  {
+    Random random(9);
+    const auto problem = make_spectral_problem(
+      oracle::random_problem(CellKind::hexahedron, random), false);
+    const Eigen::VectorXd x = interior_point(problem);
+    const Eigen::MatrixXd E = residual(problem, x.head(28));
+    const Eigen::VectorXd d = *pivots(problem, x);
+    // Pivots are ratios of leading principal minors.
+    for (const double sign : {1., -1.})
+      {
+        const Eigen::MatrixXd A =
+          x[28] * Eigen::MatrixXd::Identity(18, 18) - sign * E;
+        double product = 1.;
+        for (int i = 0; i < 18; ++i)
+          {
+            product *= d[(sign > 0. ? 0 : 18) + i];
+            const double minor = A.topLeftCorner(i + 1, i + 1).determinant();
+            EXPECT_NEAR(product / minor, 1., 1e-10);
+          }
+      }
+  }
+
+  TEST(Spectral, PivotDerivativesAgreeWithDifferences)
+  {
+    Random random(10);
+    constexpr double h = 1e-5;
+    for (const CellKind kind : all_kinds)
+      {
+        const auto problem =
+          make_spectral_problem(oracle::random_problem(kind, random), false);
+        const Eigen::VectorXd x        = interior_point(problem);
+        const Eigen::VectorXd weights  = random.matrix(2 * problem.R.rows(), 1);
+        const Eigen::MatrixXd jacobian = *pivot_jacobian(problem, x);
+        const Eigen::MatrixXd hessian  = *pivot_hessian(problem, x, weights);
+        for (int a = 0; a < x.size(); ++a)
+          {
+            const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(x.size(), a);
+            const Eigen::VectorXd first =
+              (*pivots(problem, x + step) - *pivots(problem, x - step)) /
+              (2. * h);
+            EXPECT_LT((first - jacobian.col(a)).norm(),
+                      1e-6 * (1. + jacobian.norm()));
+            const Eigen::VectorXd second = (*pivot_jacobian(problem, x + step) -
+                                            *pivot_jacobian(problem, x - step))
+                                             .transpose() *
+                                           weights / (2. * h);
+            EXPECT_LT((second - hessian.col(a)).norm(),
+                      1e-6 * (1. + hessian.norm()));
+          }
+      }
+  }
+
+  TEST(Spectral, PivotsAreConcave)
+  {
+    Random random(11);
+    for (const CellKind kind : all_kinds)
+      {
+        const auto problem =
+          make_spectral_problem(oracle::random_problem(kind, random), false);
+        const Eigen::VectorXd weights =
+          random.matrix(2 * problem.R.rows(), 1).cwiseAbs();
+        const Eigen::MatrixXd hessian =
+          *pivot_hessian(problem, interior_point(problem), weights);
+        const Eigen::VectorXd eigenvalues =
+          Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(hessian).eigenvalues();
+        EXPECT_LE(eigenvalues.maxCoeff(), 1e-10 * hessian.norm());
+        EXPECT_LT(eigenvalues.minCoeff(), -1e-3);
+      }
+  }
+
+  TEST(Spectral, IpoptFindsNoErrorInTheDerivatives)
+  {
+    Random random(12);
+    for (const CellKind kind : all_kinds)
+      for (const bool nonnegative : {false, true})
+        {
+          const auto report = derivative_report(
+            make_spectral_problem(oracle::random_problem(kind, random),
+                                  nonnegative));
+          EXPECT_NE(report.find("No errors detected by derivative checker"),
+                    std::string::npos)
+            << report;
+          // ... having looked at the second derivatives of every pivot.
+          EXPECT_NE(report.find("second derivatives"), std::string::npos)
+            << report;
+        }
+  }
+
+
+  // The certificate.
+
+  class Certificate
+    : public ::testing::TestWithParam<std::tuple<CellKind, Engine, bool>>
+  {};
+
+  TEST_P(Certificate, IsSmallOnRandomCells)
+  {
+    const auto [kind, engine, nonnegative] = GetParam();
+    Random random(13);
+    for (unsigned int cell = 0; cell < 50; ++cell)
+      {
+        const auto result = fit(oracle::random_problem(kind, random),
+                                Method::spectral,
+                                options_of(engine, nonnegative));
+        ASSERT_TRUE(result.duality_gap);
+        EXPECT_LE(*result.duality_gap, 1e-6);
+        EXPECT_GT(*result.duality_gap, -1e-12);
+        EXPECT_LE(*result.duality_gap,
+                  1e-6 * std::max(1e-3, result.spectral_residual));
+      }
+  }
+
+  TEST_P(Certificate, BoundsEveryOtherFitFromBelow)
+  {
+    const auto [kind, engine, nonnegative] = GetParam();
+    Random random(14);
+    for (unsigned int cell = 0; cell < 5; ++cell)
+      {
+        const auto problem =
+          make_spectral_problem(slender_problem(kind, random), nonnegative);
+        const auto solution = engine == Engine::ipopt
+                                ? solve_by_ipopt(problem, 1e-10)
+                                : solve_by_barrier(problem, 1e-10);
+        const double bound  = dual_bound(problem, solution.multiplier);
+        EXPECT_GT(bound, 1e-3);
+        for (const double size : {1e-8, 1e-4, 1e-2, 1.})
+          for (unsigned int trial = 0; trial < 20; ++trial)
+            {
+              Eigen::VectorXd k =
+                solution.k + size * random.matrix(solution.k.size(), 1);
+              if (nonnegative)
+                k = k.cwiseMax(0.);
+              EXPECT_GE(spectral_norm(residual(problem, k)), bound - 1e-14);
+            }
+      }
+  }
+
+  TEST_P(Certificate, OfAWrongMultiplierIsStillValid)
+  {
+    const auto [kind, engine, nonnegative] = GetParam();
+    Random random(15);
+    const auto problem =
+      make_spectral_problem(slender_problem(kind, random), nonnegative);
+    const auto solution  = solve_by_barrier(problem, 1e-10);
+    const double optimum = spectral_norm(residual(problem, solution.k));
+    const int n          = problem.R.rows();
+    double best          = 0.;
+    for (unsigned int trial = 0; trial < 100; ++trial)
+      {
+        const Eigen::MatrixXd noise = random.matrix(n, n);
+        const Eigen::MatrixXd wrong =
+          random(0., 1.) * solution.multiplier +
+          random(0., 1.) * (noise + noise.transpose());
+        best = std::max(best, dual_bound(problem, wrong));
+        EXPECT_LE(dual_bound(problem, wrong), optimum + 1e-14);
+      }
+    EXPECT_GT(best, 0.); // so the bounds above were not all trivial
+
+    // The limits: nothing, no number, the springs themselves (which no
+    // multiplier may contain), a multiple.
+    EXPECT_EQ(dual_bound(problem, Eigen::MatrixXd::Zero(n, n)), 0.);
+    EXPECT_EQ(dual_bound(problem,
+                         Eigen::MatrixXd::Constant(
+                           n, n, std::numeric_limits<double>::quiet_NaN())),
+              0.);
+    EXPECT_LE(dual_bound(problem, problem.B * problem.B.transpose()), 1e-12);
+    EXPECT_NEAR(dual_bound(problem, 100. * solution.multiplier),
+                dual_bound(problem, solution.multiplier),
+                1e-12);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(All,
+                           Certificate,
+                           ::testing::Combine(::testing::ValuesIn(all_kinds),
+                                              ::testing::ValuesIn(all_engines),
+                                              ::testing::Bool()));
+
+  TEST(Engines, Agree)
+  {
+    Random random(16);
+    for (const CellKind kind : all_kinds)
+      for (const bool nonnegative : {false, true})
+        for (unsigned int cell = 0; cell < 10; ++cell)
+          {
+            const auto problem = slender_problem(kind, random);
+            const auto ipopt   = fit(problem,
+                                   Method::spectral,
+                                   options_of(Engine::ipopt, nonnegative));
+            const auto barrier = fit(problem,
+                                     Method::spectral,
+                                     options_of(Engine::barrier, nonnegative));
+            EXPECT_NEAR(ipopt.spectral_residual,
+                        barrier.spectral_residual,
+                        1e-8);
+            EXPECT_LT((ipopt.k - barrier.k).norm(), 1e-5 * barrier.k.norm());
+          }
+  }
+
+  TEST(Engines, AgreeWhereTheMinimiserIsNotUnique)
+  {
+    const auto problem = regular_problem(CellKind::quadrilateral, 0.3);
+    for (const bool nonnegative : {false, true})
+      {
+        const auto ipopt   = fit(problem,
+                               Method::spectral,
+                               options_of(Engine::ipopt, nonnegative));
+        const auto barrier = fit(problem,
+                                 Method::spectral,
+                                 options_of(Engine::barrier, nonnegative));
+        EXPECT_LT((ipopt.k - barrier.k).cwiseAbs().maxCoeff(), 1e-6);
+      }
+  }
+} // namespace
