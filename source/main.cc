@@ -6,7 +6,6 @@
 #include <springfit/core/unexpected.h>
 #include <springfit/core/version.h>
 #include <springfit/core/words.h>
-#include <springfit/output/earlier_results.h>
 #include <springfit/studies/study.h>
 
 #include <deal.II/base/mpi.h>
@@ -112,7 +111,6 @@ namespace
 
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.output_directory();
-      remove_earlier_results(folder);
       write_file(folder / "original.prm", [&](std::ostream &file) {
         file << std::ifstream(source.file).rdbuf();
       });

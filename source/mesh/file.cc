@@ -153,7 +153,7 @@ namespace springfit
         name +
         (n_gmsh_elements(dim) == 0
            ? " has no cells of dimension " + std::to_string(dim)
-           : std::string(" has more than cells of dimension 2")) +
+           : std::string(" has cells of dimension 3 beside those of 2")) +
         "; gmsh finds " + found_dimensions() + ".";
       gmsh::vectorpair cells, sides;
       gmsh::model::getPhysicalGroups(cells, dim);

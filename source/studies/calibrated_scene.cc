@@ -2,6 +2,7 @@
 #include <springfit/core/collective.h>
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
+#include <springfit/output/earlier_results.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/studies/calibrated_scene.h>
@@ -154,6 +155,9 @@ namespace springfit
                   CalibratedScene<dim> &calibrated,
                   Session &session)
   {
+    // Not before the mesh and the loads are known to be good.
+    run_on_root(session.communicator(),
+                [&]() { remove_earlier_results(session.output_directory()); });
     calibrated.networks = scene.calibration.calibrate(*calibrated.mesh,
                                                       calibrated.element,
                                                       calibrated.materials,

@@ -30,7 +30,8 @@ namespace springfit
 
   /**
    * Fit the springs, say what the fits reached and what the springs can and
-   * cannot deliver, and write fit.csv, nodes.csv and springs_<fit>.csv.
+   * cannot deliver, and write fit.csv, nodes.csv and springs_<fit>.csv. Results
+   * of an earlier run in the output folder are removed first.
    */
   template <int dim>
   void
