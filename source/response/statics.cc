@@ -167,25 +167,43 @@ namespace springfit
     return make_cg_solver<dim>(discretization, matrix, tolerance_);
   }
 
+  namespace
+  {
+    /** Assemble a matrix, make its solver and keep the time of both. */
+    template <int dim, typename Assemble, typename MakeSolver>
+    LinearModel<dim>
+    make_model(const Discretization<dim> &discretization,
+               const ModelWords &words,
+               const Assemble &assemble,
+               const MakeSolver &make_solver)
+    {
+      dealii::Timer timer(discretization.communicator());
+      auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
+      discretization.initialize(*matrix);
+      assemble(*matrix);
+      auto solver = explaining(words, [&]() { return make_solver(*matrix); });
+      timer.stop();
+      return LinearModel<dim>(discretization,
+                              std::move(matrix),
+                              std::move(solver),
+                              words,
+                              timer.wall_time());
+    }
+  } // namespace
+
   template <int dim>
   LinearModel<dim>
   Statics<dim>::finite_elements(const Discretization<dim> &discretization,
                                 const Element<dim> &element,
                                 const MaterialTable &materials) const
   {
-    dealii::Timer timer(discretization.communicator());
-    auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
-    discretization.initialize(*matrix);
-    assemble_finite_elements(discretization, element, materials, *matrix);
-    const auto words = words_of_finite_elements();
-    auto linear_solver =
-      explaining(words, [&]() { return solver(discretization, *matrix); });
-    timer.stop();
-    return LinearModel<dim>(discretization,
-                            std::move(matrix),
-                            std::move(linear_solver),
-                            words,
-                            timer.wall_time());
+    return make_model(
+      discretization,
+      words_of_finite_elements(),
+      [&](auto &matrix) {
+        assemble_finite_elements(discretization, element, materials, matrix);
+      },
+      [&](const auto &matrix) { return solver(discretization, matrix); });
   }
 
   template <int dim>
@@ -194,19 +212,11 @@ namespace springfit
                         const SpringNetwork &network,
                         const std::string &name) const
   {
-    dealii::Timer timer(discretization.communicator());
-    auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
-    discretization.initialize(*matrix);
-    assemble_springs(discretization, network, *matrix);
-    const auto words = words_of_springs(name);
-    auto linear_solver =
-      explaining(words, [&]() { return solver(discretization, *matrix); });
-    timer.stop();
-    return LinearModel<dim>(discretization,
-                            std::move(matrix),
-                            std::move(linear_solver),
-                            words,
-                            timer.wall_time());
+    return make_model(
+      discretization,
+      words_of_springs(name),
+      [&](auto &matrix) { assemble_springs(discretization, network, matrix); },
+      [&](const auto &matrix) { return solver(discretization, matrix); });
   }
 
   template class LinearModel<2>;
