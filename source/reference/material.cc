@@ -209,7 +209,8 @@ namespace springfit
         table[id] = {constants,
                      plane_stress ? lame_constants_plane_stress(constants)
                                   : lame_constants(constants),
-                     dim == 2 ? thickness_ : 1.};
+                     dim == 2 ? thickness_ : 1.,
+                     plane_state()};
       }
     return table;
   }

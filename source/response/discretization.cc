@@ -13,7 +13,10 @@ namespace springfit
   Discretization<dim>::Discretization(const Mesh<dim> &mesh,
                                       const std::vector<bool> &fixed,
                                       const MPI_Comm communicator)
-    : mesh_(mesh), communicator_(communicator), dof_handler_(mesh.triangulation)
+    : mesh_(mesh)
+    , fixed_(fixed)
+    , communicator_(communicator)
+    , dof_handler_(mesh.triangulation)
   {
     const auto element = make_element<dim>(mesh.cell_kind);
     dof_handler_.distribute_dofs(dealii::FESystem<dim>(*element.scalar, dim));
@@ -68,6 +71,13 @@ namespace springfit
   Discretization<dim>::n_nodes() const
   {
     return mesh_.triangulation.n_vertices();
+  }
+
+  template <int dim>
+  const std::vector<bool> &
+  Discretization<dim>::fixed() const
+  {
+    return fixed_;
   }
 
   template <int dim>

@@ -2,15 +2,14 @@
 
 #include <Eigen/SparseCholesky>
 
-#include <algorithm>
-
 namespace springfit
 {
   unsigned int
-  n_unstable_motions(const SpringNetwork &network,
+  n_unstable_motions(const ElasticBody &body,
+                     const Eigen::MatrixXd &displacement,
                      const std::vector<bool> &fixed)
   {
-    const Eigen::Index dim = network.nodes.rows();
+    const Eigen::Index dim = displacement.rows();
     std::vector<Eigen::Index> first_unknown(fixed.size(), -1);
     Eigen::Index n_unknowns = 0;
     for (std::size_t node = 0; node < fixed.size(); ++node)
@@ -20,26 +19,24 @@ namespace springfit
           n_unknowns += dim;
         }
 
+    Eigen::SparseMatrix<double> tangent(n_unknowns, n_unknowns);
     std::vector<Eigen::Triplet<double>> entries;
-    for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+    for (unsigned int t = 0; t < body.n_terms(); ++t)
       {
-        const unsigned int ends[2] = {network.i[s], network.j[s]};
-        const Eigen::VectorXd n =
-          (network.nodes.col(ends[1]) - network.nodes.col(ends[0]))
-            .normalized();
-        for (const int a : {0, 1})
-          for (const int b : {0, 1})
-            if (const auto row = first_unknown[ends[a]],
-                column         = first_unknown[ends[b]];
+        const auto term = body.evaluate(t, displacement);
+        if (!term)
+          return 1; // no state at all
+        for (std::size_t a = 0; a < term->nodes.size(); ++a)
+          for (std::size_t b = 0; b < term->nodes.size(); ++b)
+            if (const auto row = first_unknown[term->nodes[a]],
+                column         = first_unknown[term->nodes[b]];
                 row >= 0 && column >= 0)
               for (Eigen::Index d = 0; d < dim; ++d)
                 for (Eigen::Index e = 0; e < dim; ++e)
                   entries.emplace_back(row + d,
                                        column + e,
-                                       (a == b ? 1. : -1.) *
-                                         network.stiffness[s] * n[d] * n[e]);
+                                       term->hessian(dim * a + d, dim * b + e));
       }
-    Eigen::SparseMatrix<double> tangent(n_unknowns, n_unknowns);
     tangent.setFromTriplets(entries.begin(), entries.end());
 
     const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(tangent);

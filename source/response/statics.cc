@@ -1,11 +1,11 @@
 #include <springfit/core/error.h>
-#include <springfit/core/words.h>
+#include <springfit/response/finite_element_body.h>
+#include <springfit/response/linear_model.h>
+#include <springfit/response/network_body.h>
+#include <springfit/response/nonlinear_model.h>
+#include <springfit/response/stability.h>
 #include <springfit/response/statics.h>
-#include <springfit/response/stiffness_matrices.h>
 
-#include <deal.II/base/timer.h>
-
-#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -13,14 +13,6 @@ namespace springfit
 {
   namespace
   {
-    const WordTable<Kinematics> &
-    kinematics_words()
-    {
-      static const WordTable<Kinematics> table = {
-        {Kinematics::linear, "linear"}};
-      return table;
-    }
-
     const WordTable<SolverChoice> &
     solver_words()
     {
@@ -29,29 +21,6 @@ namespace springfit
         {SolverChoice::direct, "direct"},
         {SolverChoice::cg, "cg"}};
       return table;
-    }
-
-    RunError
-    not_found(const ModelWords &words, const std::string &reason)
-    {
-      return RunError("The equilibrium of " + words.name +
-                        " was not found: " + reason,
-                      words.advice);
-    }
-
-    /** Do @p work; a failure of the solver is said in the model's words. */
-    template <typename Work>
-    auto
-    explaining(const ModelWords &words, const Work &work)
-    {
-      try
-        {
-          return work();
-        }
-      catch (const RunError &error)
-        {
-          throw not_found(words, error.what());
-        }
     }
 
     ModelWords
@@ -63,6 +32,14 @@ namespace springfit
     }
 
     ModelWords
+    words_of_nonlinear_finite_elements()
+    {
+      return {"the nonlinear finite element model",
+              "Set a smaller 'Deformation' in section Loads, or another "
+              "'Material law' in section Response."};
+    }
+
+    ModelWords
     words_of_springs(const std::string &fit)
     {
       return {"the springs of the fit '" + fit + "'",
@@ -70,52 +47,89 @@ namespace springfit
               "'Nonnegative = true' in section Fit, or 'Solver = direct' in "
               "section Response, or ask for another fit."};
     }
+
+    ModelWords
+    words_of_nonlinear_springs(const std::string &fit)
+    {
+      return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
+              "Set a smaller 'Deformation' in section Loads, or 'Nonnegative "
+              "= true' in section Fit if springs of negative stiffness are the "
+              "cause."};
+    }
+
+    /** Why a state is no equilibrium to go on from. */
+    template <int dim>
+    std::string
+    objection(const Discretization<dim> &discretization,
+              const Element<dim> &element,
+              const ElasticBody &body,
+              const Eigen::MatrixXd &displacement)
+    {
+      const auto &mesh = discretization.mesh();
+      if (const unsigned int n = n_inverted_cells(mesh, element, displacement);
+          n > 0)
+        return std::to_string(n) + " of " +
+               std::to_string(mesh.triangulation.n_active_cells()) +
+               " cells turn inside out";
+
+      // Counting takes a direct factorisation: too much for the largest ones.
+      constexpr unsigned int most_nodes = dim == 2 ? 50000 : 5000;
+      if (discretization.n_nodes() <= most_nodes)
+        if (const unsigned int n =
+              n_unstable_motions(body, displacement, discretization.fixed());
+            n > 0)
+          return "it is unstable (buckles), " + std::to_string(n) +
+                 " of its motions release energy";
+      return {};
+    }
+
+    template <int dim>
+    std::unique_ptr<Model>
+    nonlinear_model(const Discretization<dim> &discretization,
+                    const Element<dim> &element,
+                    std::unique_ptr<const ElasticBody> body,
+                    const SolverFactory<dim> &make_solver,
+                    const ModelWords &words,
+                    const double tolerance)
+    {
+      const ElasticBody &judged = *body;
+      return std::make_unique<NonlinearModel<dim>>(
+        discretization,
+        std::move(body),
+        make_solver,
+        words,
+        [&](const Eigen::MatrixXd &displacement) {
+          return objection(discretization, element, judged, displacement);
+        },
+        tolerance);
+    }
   } // namespace
 
-  template <int dim>
-  LinearModel<dim>::LinearModel(const Discretization<dim> &discretization,
-                                std::unique_ptr<Matrix> matrix,
-                                std::unique_ptr<LinearSolver<dim>> solver,
-                                const ModelWords &words,
-                                const double seconds)
-    : discretization_(discretization)
-    , matrix_(std::move(matrix))
-    , solver_(std::move(solver))
-    , words_(words)
-    , seconds_(seconds)
-  {}
-
-  template <int dim>
-  Equilibrium
-  LinearModel<dim>::respond(const Eigen::MatrixXd &forces) const
+  const WordTable<Kinematics> &
+  kinematics_words()
   {
-    dealii::Timer timer(discretization_.communicator());
-    const auto right_hand_side = discretization_.to_vector(forces);
-    const auto displacement =
-      explaining(words_, [&]() { return solver_->solve(right_hand_side); });
-
-    auto residual = right_hand_side;
-    matrix_->residual(residual, displacement, right_hand_side);
-    const double relative =
-      residual.l2_norm() / (right_hand_side.l2_norm() + 1e-300);
-    if (!(relative < 1e-6))
-      {
-        std::ostringstream reason;
-        reason << "the forces left over are " << relative << " of the load.";
-        throw not_found(words_, reason.str());
-      }
-    timer.stop();
-    return {discretization_.to_nodal(displacement),
-            seconds_ + timer.wall_time()};
+    static const WordTable<Kinematics> table = {{Kinematics::linear, "linear"},
+                                                {Kinematics::nonlinear,
+                                                 "nonlinear"}};
+    return table;
   }
 
   template <int dim>
   Statics<dim>::Statics() : dealii::ParameterAcceptor("Response")
   {
     add_parameter("Kinematics",
-                  kinematics_word_,
-                  "Geometry of the deformation: " +
-                    join(words_of(kinematics_words()), " or ") + " (no unit).");
+                  kinematics_words_,
+                  "How the springs answer: " +
+                    join(words_of(kinematics_words()), " or ") +
+                    ", or both between commas, each a row of the tables (no "
+                    "unit). Linear is the tangent at rest, nonlinear the true "
+                    "forces of the springs at any deformation.");
+    add_parameter("Material law",
+                  law_word_,
+                  "How the finite elements answer that the springs are "
+                  "compared with: " +
+                    join(words_of(material_law_words()), " or ") +
+                    " (no unit). The loads are scaled by the linear one.");
     add_parameter("Solver",
                   solver_word_,
                   "Solver of the linear systems: " +
@@ -125,23 +139,33 @@ namespace springfit
                     "from 100,000 unknowns in 2-d and 10,000 in 3-d.");
     add_parameter("Tolerance",
                   tolerance_,
-                  "For cg: the forces left over, relative to the load (no "
-                  "unit), between 1e-15 and 1e-6.");
+                  "For cg and for nonlinear responses: the forces left over, "
+                  "relative to the load (no unit), between 1e-15 and 1e-6.");
     parse_parameters_call_back.connect([this]() { check(); });
   }
 
   template <int dim>
-  const std::string &
+  std::vector<Kinematics>
   Statics<dim>::kinematics() const
   {
-    return kinematics_word_;
+    return values_of(kinematics_words(),
+                     kinematics_words_,
+                     "Response/Kinematics");
+  }
+
+  template <int dim>
+  MaterialLaw
+  Statics<dim>::material_law() const
+  {
+    return value_of(material_law_words(), law_word_, "Response/Material law");
   }
 
   template <int dim>
   void
   Statics<dim>::check() const
   {
-    value_of(kinematics_words(), kinematics_word_, "Response/Kinematics");
+    kinematics();
+    material_law();
     value_of(solver_words(), solver_word_, "Response/Solver");
     if (!(tolerance_ >= 1e-15 && tolerance_ <= 1e-6))
       {
@@ -154,73 +178,75 @@ namespace springfit
   }
 
   template <int dim>
-  std::unique_ptr<LinearSolver<dim>>
-  Statics<dim>::solver(const Discretization<dim> &discretization,
-                       const typename Discretization<dim>::Matrix &matrix) const
+  SolverFactory<dim>
+  Statics<dim>::solver_factory(const Discretization<dim> &discretization) const
   {
     const auto choice =
       value_of(solver_words(), solver_word_, "Response/Solver");
-    const unsigned int largest_direct = dim == 2 ? 100000 : 10000;
-    if (choice == SolverChoice::direct ||
-        (choice == SolverChoice::automatic && matrix.m() < largest_direct))
-      return make_direct_solver<dim>(matrix);
-    return make_cg_solver<dim>(discretization, matrix, tolerance_);
+    const double tolerance = tolerance_;
+    return [&discretization, choice, tolerance](const auto &matrix) {
+      const unsigned int largest_direct = dim == 2 ? 100000 : 10000;
+      if (choice == SolverChoice::direct ||
+          (choice == SolverChoice::automatic && matrix.m() < largest_direct))
+        return make_direct_solver<dim>(matrix);
+      return make_cg_solver<dim>(discretization, matrix, tolerance);
+    };
   }
 
-  namespace
-  {
-    /** Assemble a matrix, make its solver and keep the time of both. */
-    template <int dim, typename Assemble, typename MakeSolver>
-    LinearModel<dim>
-    make_model(const Discretization<dim> &discretization,
-               const ModelWords &words,
-               const Assemble &assemble,
-               const MakeSolver &make_solver)
-    {
-      dealii::Timer timer(discretization.communicator());
-      auto matrix = std::make_unique<typename Discretization<dim>::Matrix>();
-      discretization.initialize(*matrix);
-      assemble(*matrix);
-      auto solver = explaining(words, [&]() { return make_solver(*matrix); });
-      timer.stop();
-      return LinearModel<dim>(discretization,
-                              std::move(matrix),
-                              std::move(solver),
-                              words,
-                              timer.wall_time());
-    }
-  } // namespace
-
   template <int dim>
-  LinearModel<dim>
+  std::unique_ptr<Model>
   Statics<dim>::finite_elements(const Discretization<dim> &discretization,
                                 const Element<dim> &element,
                                 const MaterialTable &materials) const
   {
-    return make_model(
+    if (material_law() == MaterialLaw::linear)
+      return linear_finite_elements(discretization, element, materials);
+    return nonlinear_model<dim>(
       discretization,
-      words_of_finite_elements(),
-      [&](auto &matrix) {
-        assemble_finite_elements(discretization, element, materials, matrix);
-      },
-      [&](const auto &matrix) { return solver(discretization, matrix); });
+      element,
+      std::make_unique<FiniteElementBody<dim>>(
+        discretization.mesh(), element, materials, material_law()),
+      solver_factory(discretization),
+      words_of_nonlinear_finite_elements(),
+      tolerance_);
   }
 
   template <int dim>
-  LinearModel<dim>
-  Statics<dim>::springs(const Discretization<dim> &discretization,
-                        const SpringNetwork &network,
-                        const std::string &name) const
+  std::unique_ptr<Model>
+  Statics<dim>::linear_finite_elements(
+    const Discretization<dim> &discretization,
+    const Element<dim> &element,
+    const MaterialTable &materials) const
   {
-    return make_model(
+    return std::make_unique<LinearModel<dim>>(
       discretization,
-      words_of_springs(name),
-      [&](auto &matrix) { assemble_springs(discretization, network, matrix); },
-      [&](const auto &matrix) { return solver(discretization, matrix); });
+      FiniteElementBody<dim>(
+        discretization.mesh(), element, materials, MaterialLaw::linear),
+      solver_factory(discretization),
+      words_of_finite_elements());
   }
 
-  template class LinearModel<2>;
-  template class LinearModel<3>;
+  template <int dim>
+  std::unique_ptr<Model>
+  Statics<dim>::springs(const Discretization<dim> &discretization,
+                        const Element<dim> &element,
+                        const SpringNetwork &network,
+                        const std::string &name,
+                        const Kinematics kinematics) const
+  {
+    if (kinematics == Kinematics::nonlinear)
+      return nonlinear_model<dim>(discretization,
+                                  element,
+                                  std::make_unique<NetworkBody<dim>>(network),
+                                  solver_factory(discretization),
+                                  words_of_nonlinear_springs(name),
+                                  tolerance_);
+    return std::make_unique<LinearModel<dim>>(discretization,
+                                              NetworkBody<dim>(network),
+                                              solver_factory(discretization),
+                                              words_of_springs(name));
+  }
+
   template class Statics<2>;
   template class Statics<3>;
 } // namespace springfit

@@ -2,14 +2,18 @@
 #include <springfit/comparison/errors.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
-#include <springfit/core/progress.h>
 #include <springfit/output/tables.h>
 #include <springfit/output/vtu.h>
+#include <springfit/reference/material_law.h>
+#include <springfit/response/network_body.h>
 #include <springfit/response/stability.h>
 #include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/responses.h>
 #include <springfit/studies/study.h>
 
+#include <cstddef>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,75 +22,6 @@ namespace springfit
 {
   namespace
   {
-    /** A load case, scaled, with the response of every model to it. */
-    struct CaseResult
-    {
-      LoadCase load_case;
-      Equilibrium reference;
-      std::vector<Equilibrium> models; // in the order of the networks
-    };
-
-    /** Forces such that the reference deforms as much as the user asks. */
-    template <int dim>
-    std::vector<CaseResult>
-    solve_reference(const Scene<dim> &scene,
-                    const Discretization<dim> &discretization,
-                    const CalibratedScene<dim> &calibrated,
-                    const Loading &loading,
-                    Session &session)
-    {
-      dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
-      const auto model = scene.statics.finite_elements(discretization,
-                                                       calibrated.element,
-                                                       calibrated.materials);
-      std::vector<CaseResult> results;
-      Progress progress("Responses of the finite elements",
-                        loading.cases.size(),
-                        session.is_root());
-      for (const auto &unit : loading.cases)
-        {
-          progress.step();
-          CaseResult result{unit, model.respond(unit.forces), {}};
-          const double largest =
-            largest_displacement(result.reference.displacement);
-          if (!(largest > 0.))
-            throw EntryError("Loads/Cases",
-                             "the load '" + word_of(load_words(), unit.load) +
-                               "' moves nothing.",
-                             "Load another boundary.");
-          const double scale = loading.deformation * loading.extent / largest;
-          result.load_case.forces *= scale;
-          result.reference.displacement *= scale;
-          results.push_back(result);
-        }
-      return results;
-    }
-
-    template <int dim>
-    void
-    solve_networks(const Scene<dim> &scene,
-                   const Discretization<dim> &discretization,
-                   const CalibratedScene<dim> &calibrated,
-                   Session &session,
-                   std::vector<CaseResult> &results)
-    {
-      Progress progress("Responses of the springs",
-                        calibrated.networks.size() * results.size(),
-                        session.is_root());
-      for (const auto &network : calibrated.networks)
-        {
-          dealii::TimerOutput::Scope scope(session.timer(),
-                                           "Springs, " + network.fit);
-          const auto model =
-            scene.statics.springs(discretization, network.network, network.fit);
-          for (auto &result : results)
-            {
-              result.models.push_back(model.respond(result.load_case.forces));
-              progress.step();
-            }
-        }
-    }
-
     /** The material's constants as a tensile test would find them. */
     template <int dim>
     std::optional<YoungPoisson>
@@ -123,8 +58,10 @@ namespace springfit
       for (const auto &network : calibrated.networks)
         if (n_negative(network.network) > 0 &&
             network.network.nodes.cols() <= largest)
-          if (const unsigned int n =
-                n_unstable_motions(network.network, loading.fixed);
+          if (const unsigned int n = n_unstable_motions(
+                NetworkBody<dim>(network.network),
+                Eigen::MatrixXd::Zero(dim, network.network.nodes.cols()),
+                loading.fixed);
               n > 0)
             session.warn(
               "The springs of the fit '" + network.fit +
@@ -142,10 +79,12 @@ namespace springfit
               const std::vector<CaseResult> &results)
     {
       const auto &mesh = *calibrated.mesh;
-      const auto row = [&](const CaseResult &result, const Equilibrium &model) {
+      const auto row   = [&](const CaseResult &result,
+                           const Equilibrium &model,
+                           const Kinematics kinematics) {
         ComparisonRow row{};
         row.load_case  = word_of(load_words(), result.load_case.load);
-        row.kinematics = scene.statics.kinematics();
+        row.kinematics = word_of(kinematics_words(), kinematics);
         row.errors =
           error_norms(result.reference.displacement, model.displacement);
         if (result.load_case.load == Load::tension)
@@ -159,23 +98,32 @@ namespace springfit
         row.fem_seconds = result.reference.seconds;
         return row;
       };
+      const Kinematics of_reference =
+        scene.statics.material_law() == MaterialLaw::linear
+          ? Kinematics::linear
+          : Kinematics::nonlinear;
 
       std::vector<ComparisonRow> rows;
       for (const auto &result : results)
         {
-          rows.push_back(row(result, result.reference));
+          if (!is_complete(result.reference))
+            continue;
+          rows.push_back(row(result, result.reference, of_reference));
           rows.back().fit        = "fem";
           rows.back().enrichment = "none";
-          for (std::size_t m = 0; m < result.models.size(); ++m)
+          for (const auto &response : result.networks)
             {
-              const auto &network = calibrated.networks[m];
-              rows.push_back(row(result, result.models[m]));
+              if (!is_complete(response.equilibrium))
+                continue;
+              const auto &network = calibrated.networks[response.network];
+              rows.push_back(
+                row(result, response.equilibrium, response.kinematics));
               rows.back().fit               = network.fit;
               rows.back().enrichment        = network.enrichment;
               rows.back().n_springs         = network.network.stiffness.size();
               rows.back().n_negative        = n_negative(network.network);
               rows.back().calibrate_seconds = network.seconds;
-              rows.back().lem_seconds       = result.models[m].seconds;
+              rows.back().lem_seconds       = response.equilibrium.seconds;
             }
         }
       return rows;
@@ -187,9 +135,10 @@ namespace springfit
       char text[200];
       std::snprintf(text,
                     sizeof(text),
-                    "%-12s %-12s %8.3g %8.3g",
+                    "%-12s %-20s %-10s %8.3g %8.3g",
                     row.load_case.c_str(),
                     row.fit.c_str(),
+                    row.kinematics.c_str(),
                     row.errors.e_rms_percent,
                     row.errors.e_max_percent);
       std::string line = text;
@@ -205,51 +154,103 @@ namespace springfit
       return line;
     }
 
+    std::string
+    suffix(const Kinematics kinematics)
+    {
+      return kinematics == Kinematics::nonlinear ? "_nonlinear" : "";
+    }
+
+    /** What did not reach the whole load is not to be taken for a result. */
+    std::string
+    suffix(const Equilibrium &equilibrium)
+    {
+      return is_complete(equilibrium) ? "" : "_incomplete";
+    }
+
     template <int dim>
     void
     write_pictures(const std::filesystem::path &folder,
                    const CalibratedScene<dim> &calibrated,
                    const std::vector<CaseResult> &results)
     {
-      const auto &networks = calibrated.networks;
-      std::vector<std::pair<double, std::string>> fem_files;
-      std::vector<std::vector<std::pair<double, std::string>>> files(
-        networks.size());
-      std::vector<std::vector<NodalField>> spring_fields(networks.size());
+      // The series by their names, the springs' fields by network.
+      std::map<std::string, std::vector<std::pair<double, std::string>>> series;
+      std::vector<std::vector<NodalField>> spring_fields(
+        calibrated.networks.size());
+      const auto write = [&](const std::string &name,
+                             const std::size_t number,
+                             const std::string &load_case,
+                             const Equilibrium &equilibrium,
+                             const NodalField &field) {
+        const std::string file =
+          load_case + '_' + name + suffix(equilibrium) + ".vtu";
+        write_mesh_vtu(folder / file,
+                       *calibrated.mesh,
+                       {{"displacement", equilibrium.displacement}, field});
+        if (is_complete(equilibrium))
+          series[name].emplace_back(number, file);
+      };
 
       for (std::size_t r = 0; r < results.size(); ++r)
         {
           const auto &result     = results[r];
+          const auto &reference  = result.reference;
           const std::string name = word_of(load_words(), result.load_case.load);
-          fem_files.emplace_back(r, name + "_fem.vtu");
-          write_mesh_vtu(folder / fem_files.back().second,
-                         *calibrated.mesh,
-                         {{"displacement", result.reference.displacement},
-                          {"force", result.load_case.forces}});
-          for (std::size_t m = 0; m < networks.size(); ++m)
+          write("fem", r, name, reference, {"force", result.load_case.forces});
+          for (const auto &response : result.networks)
             {
-              const auto &displacement = result.models[m].displacement;
-              files[m].emplace_back(r, name + '_' + networks[m].fit + ".vtu");
-              write_mesh_vtu(folder / files[m].back().second,
-                             *calibrated.mesh,
-                             {{"displacement", displacement},
-                              {"error",
-                               nodal_errors(result.reference.displacement,
-                                            displacement)
-                                 .transpose()}});
-              spring_fields[m].push_back(
-                {"displacement_" + name, displacement});
+              const auto &equilibrium = response.equilibrium;
+              const auto &network     = calibrated.networks[response.network];
+              const std::string kind  = suffix(response.kinematics);
+              write(network.fit + kind,
+                    r,
+                    name,
+                    equilibrium,
+                    {"error",
+                     nodal_errors(reference.displacement,
+                                  equilibrium.displacement)
+                       .transpose()});
+              if (is_complete(equilibrium))
+                spring_fields[response.network].push_back(
+                  {"displacement_" + name + kind, equilibrium.displacement});
             }
         }
-      write_pvd(folder / "fem.pvd", fem_files);
-      for (std::size_t m = 0; m < networks.size(); ++m)
+      for (const auto &[name, files] : series)
+        write_pvd(folder / (name + ".pvd"), files);
+      for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
+        write_springs_vtu<dim>(folder / ("springs_" +
+                                         calibrated.networks[n].fit + ".vtu"),
+                               calibrated.networks[n].network,
+                               spring_fields[n]);
+    }
+
+    /** @throws RunError when a model did not reach the whole load. */
+    void
+    check_completeness(const std::vector<CaseResult> &results,
+                       const std::filesystem::path &folder)
+    {
+      std::vector<std::string> failures;
+      const auto collect = [&](const CaseResult &result,
+                               const Equilibrium &equilibrium) {
+        if (!is_complete(equilibrium))
+          failures.push_back("Load case " +
+                             word_of(load_words(), result.load_case.load) +
+                             ": " + equilibrium.failure);
+      };
+      for (const auto &result : results)
         {
-          write_pvd(folder / (networks[m].fit + ".pvd"), files[m]);
-          write_springs_vtu<dim>(folder /
-                                   ("springs_" + networks[m].fit + ".vtu"),
-                                 networks[m].network,
-                                 spring_fields[m]);
+          collect(result, result.reference);
+          for (const auto &response : result.networks)
+            collect(result, response.equilibrium);
         }
+      if (!failures.empty())
+        throw RunError(failures.front() +
+                       (failures.size() > 1
+                          ? " (And " + std::to_string(failures.size() - 1) +
+                              " more such failures, see the warnings.)"
+                          : "") +
+                       " What was found is in " + folder.string() +
+                       ", the last states as *_incomplete.vtu.");
     }
   } // namespace
 
@@ -264,31 +265,33 @@ namespace springfit
                           calibrated.materials.begin()->second.thickness);
     calibrate_scene(scene, calibrated, session);
 
-    const Discretization<dim> discretization(*calibrated.mesh,
-                                             loading.fixed,
-                                             session.communicator());
-    auto results =
-      solve_reference(scene, discretization, calibrated, loading, session);
-    solve_networks(scene, discretization, calibrated, session, results);
+    const auto results = find_responses(scene, calibrated, loading, session);
     check_stability(calibrated, loading, session);
     const auto rows = make_rows(scene, calibrated, loading, results);
 
     session.print(
-      "\nSprings against finite elements (errors in % of the largest "
-      "displacement):\n"
-      "case         fit             e_rms    e_max   E_out Pa   nu_out");
+      "\nSprings against finite elements (" +
+      word_of(material_law_words(), scene.statics.material_law()) +
+      "; errors in % of the largest displacement):\n"
+      "case         fit                  kinematics    e_rms    e_max   "
+      "E_out Pa   nu_out");
     for (const auto &row : rows)
       if (row.fit != "fem" || row.delivered)
         session.print(summary_line(row));
 
-    dealii::TimerOutput::Scope scope(session.timer(), "Output");
-    run_on_root(session.communicator(), [&]() {
-      write_comparison(session.output_directory(), rows);
-      write_pictures(session.output_directory(), calibrated, results);
-    });
+    {
+      dealii::TimerOutput::Scope scope(session.timer(), "Output");
+      run_on_root(session.communicator(), [&]() {
+        write_comparison(session.output_directory(), rows);
+        write_pictures(session.output_directory(), calibrated, results);
+      });
+    }
+    check_completeness(results, session.output_directory());
+    const std::string first =
+      calibrated.networks.front().fit +
+      suffix(results.front().networks.front().kinematics);
     session.print("\nResults are in " + session.output_directory().string() +
-                  ": comparison.csv is the table above; open " +
-                  calibrated.networks.front().fit +
+                  ": comparison.csv is the table above; open " + first +
                   ".pvd and fem.pvd in ParaView and apply Warp By Vector.");
   }
 

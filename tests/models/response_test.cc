@@ -1,6 +1,7 @@
 #include <springfit/comparison/delivered_constants.h>
 #include <springfit/comparison/errors.h>
 #include <springfit/response/loads.h>
+#include <springfit/response/network_body.h>
 #include <springfit/response/region.h>
 #include <springfit/response/stability.h>
 #include <springfit/response/statics.h>
@@ -43,6 +44,16 @@ namespace
     return nodes;
   }
 
+  template <int dim>
+  unsigned int
+  n_unstable_at_rest(const SpringNetwork &network,
+                     const std::vector<bool> &fixed)
+  {
+    return n_unstable_motions(NetworkBody<dim>(network),
+                              Eigen::MatrixXd::Zero(dim, network.nodes.cols()),
+                              fixed);
+  }
+
   /** A bar without lateral contraction stretches by F L / (E A). */
   template <int dim>
   void
@@ -65,7 +76,7 @@ namespace
     const auto u =
       statics
         ->finite_elements(discretization, element, one_material<dim>(E, 0., h))
-        .respond(forces)
+        ->respond(forces)
         .displacement;
 
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(dim, u.cols());
@@ -114,9 +125,12 @@ TEST(Springs, TangentIsTheSumOverSprings)
   const auto statics     = oracle::make_step<Statics<2>>("");
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 3);
   forces.col(1) << 0.2, 0.1;
-  const auto u = statics->springs(discretization, network, "test")
-                   .respond(forces)
-                   .displacement;
+  const auto element = make_element<2>(mesh->cell_kind);
+  const auto u =
+    statics
+      ->springs(discretization, element, network, "test", Kinematics::linear)
+      ->respond(forces)
+      .displacement;
   Eigen::Matrix2d K;
   K << 3. + 3.5, -3.5, -3.5, 3.5;
   const Eigen::Vector2d expected = K.inverse() * Eigen::Vector2d(0.2, 0.1);
@@ -140,9 +154,12 @@ TEST(Springs, AMechanismIsRefused)
                                          MPI_COMM_SELF);
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 4);
   forces.row(0) << 0., 0., 1., 1.;
+  const auto element = make_element<2>(mesh->cell_kind);
   const auto statics = oracle::make_step<Statics<2>>("");
   EXPECT_THROW(
-    statics->springs(discretization, network, "test").respond(forces),
+    statics
+      ->springs(discretization, element, network, "test", Kinematics::linear)
+      ->respond(forces),
     RunError);
 }
 
@@ -158,11 +175,11 @@ TEST(Springs, UnstableMotionsAreCounted)
   network.stiffness             = {2., 3.};
   network.rest_length           = {1., 1.};
   const std::vector<bool> fixed = {true, false, true};
-  EXPECT_EQ(n_unstable_motions(network, fixed), 0u);
+  EXPECT_EQ(n_unstable_at_rest<2>(network, fixed), 0u);
   network.stiffness = {2., -3.};
-  EXPECT_EQ(n_unstable_motions(network, fixed), 1u);
+  EXPECT_EQ(n_unstable_at_rest<2>(network, fixed), 1u);
   network.stiffness = {-2., -3.};
-  EXPECT_EQ(n_unstable_motions(network, fixed), 2u);
+  EXPECT_EQ(n_unstable_at_rest<2>(network, fixed), 2u);
 
   // Against dense eigenvalues, with springs of both signs.
   oracle::Random random(11);
@@ -196,7 +213,7 @@ TEST(Springs, UnstableMotionsAreCounted)
       .eigenvalues();
   const unsigned int expected = (eigenvalues.array() < 0.).count();
   EXPECT_GT(expected, 0u);
-  EXPECT_EQ(n_unstable_motions(network, held), expected);
+  EXPECT_EQ(n_unstable_at_rest<3>(network, held), expected);
 }
 
 TEST(DeliveredConstants, AreNothingWhereNothingIsStrained)

@@ -48,6 +48,9 @@ namespace springfit
     ElasticConstants constants;
     LameConstants lame;
     double thickness; // m in 2-d, 1 in 3-d
+
+    /** Has a meaning in 2-d only. */
+    PlaneState plane_state = PlaneState::stress;
   };
 
   /** By the material ids of a mesh's cells. */

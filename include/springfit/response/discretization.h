@@ -44,6 +44,10 @@ namespace springfit
     unsigned int
     n_nodes() const;
 
+    /** A flag per node. */
+    const std::vector<bool> &
+    fixed() const;
+
     const dealii::AffineConstraints<double> &
     constraints() const;
 
@@ -67,6 +71,7 @@ namespace springfit
 
   private:
     const Mesh<dim> &mesh_;
+    const std::vector<bool> fixed_;
     const MPI_Comm communicator_;
     dealii::DoFHandler<dim> dof_handler_;
     std::vector<dealii::types::global_dof_index> dofs_; // dim * v + d

@@ -3,6 +3,7 @@
 
 #include <springfit/response/discretization.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -26,6 +27,11 @@ namespace springfit
     virtual Vector
     solve(const Vector &forces) = 0;
   };
+
+  /** How a model gets a solver for a matrix that it has assembled. */
+  template <int dim>
+  using SolverFactory = std::function<std::unique_ptr<LinearSolver<dim>>(
+    const typename Discretization<dim>::Matrix &)>;
 
   /** Sparse LU factors by Trilinos' KLU. */
   template <int dim>

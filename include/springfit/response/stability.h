@@ -1,22 +1,27 @@
 #ifndef springfit_response_stability_h
 #define springfit_response_stability_h
 
-#include <springfit/springs/network.h>
+#include <springfit/response/elastic_body.h>
+
+#include <Eigen/Core>
 
 #include <vector>
 
 namespace springfit
 {
   /**
-   * The number of independent motions of a held network at rest that release
-   * energy, or cost none: the eigenvalues <= 0 of its tangent, counted by the
-   * signs of a sparse L D L^T factorisation (Sylvester's law of inertia). 0 is
-   * a stable network; springs of negative stiffness can make it unstable.
+   * The number of independent motions of a held body that release energy, or
+   * cost none, to second order: the eigenvalues <= 0 of its tangent at
+   * @p displacement (m, dim x n_nodes), counted by the signs of a sparse
+   * L D L^T factorisation (Sylvester's law of inertia). 0 is a stable state;
+   * springs of negative stiffness, or of much compression, can make it
+   * unstable.
    *
    * @p fixed has a flag per node.
    */
   unsigned int
-  n_unstable_motions(const SpringNetwork &network,
+  n_unstable_motions(const ElasticBody &body,
+                     const Eigen::MatrixXd &displacement,
                      const std::vector<bool> &fixed);
 } // namespace springfit
 

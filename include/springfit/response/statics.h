@@ -1,79 +1,32 @@
 #ifndef springfit_response_statics_h
 #define springfit_response_statics_h
 
+#include <springfit/core/words.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
+#include <springfit/reference/material_law.h>
 #include <springfit/response/discretization.h>
 #include <springfit/response/linear_solver.h>
+#include <springfit/response/model.h>
 #include <springfit/springs/network.h>
 
 #include <deal.II/base/parameter_acceptor.h>
 
-#include <Eigen/Core>
-
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace springfit
 {
-  /**
-   * Where a model comes to rest, and what it costs to find out: the wall time
-   * of the assembly, of the factors (or the hierarchy) and of this solution, as
-   * if this load were the only one.
-   */
-  struct Equilibrium
-  {
-    Eigen::MatrixXd displacement; // m, dim x n_nodes
-    double seconds;
-  };
-
-
-  /** How an error speaks of a model, and what it advises. */
-  struct ModelWords
-  {
-    std::string name;
-    std::string advice;
-  };
-
-
-  /** A model's linear response to forces, ready for any number of them. */
-  template <int dim>
-  class LinearModel
-  {
-  public:
-    using Matrix = typename Discretization<dim>::Matrix;
-
-    /**
-     * @p seconds is the time that the assembly and the solver's set-up took.
-     */
-    LinearModel(const Discretization<dim> &discretization,
-                std::unique_ptr<Matrix> matrix,
-                std::unique_ptr<LinearSolver<dim>> solver,
-                const ModelWords &words,
-                double seconds);
-
-    /**
-     * The displacement under @p forces (N, dim x n_nodes), the time being that
-     * of the assembly and of this solution.
-     *
-     * @throws RunError when there is none, or it is not found.
-     */
-    Equilibrium
-    respond(const Eigen::MatrixXd &forces) const;
-
-  private:
-    const Discretization<dim> &discretization_;
-    const std::unique_ptr<Matrix> matrix_;
-    const std::unique_ptr<LinearSolver<dim>> solver_;
-    const ModelWords words_;
-    const double seconds_;
-  };
-
-
   enum class Kinematics
   {
-    linear
+    linear,
+    nonlinear
   };
+
+  const WordTable<Kinematics> &
+  kinematics_words();
+
 
   enum class SolverChoice
   {
@@ -82,40 +35,56 @@ namespace springfit
     cg
   };
 
-  /** The section "Response": statics of both models on the same unknowns. */
+
+  /**
+   * The section "Response": statics of both models on the same unknowns. What
+   * is given to make a model must outlive it.
+   */
   template <int dim>
   class Statics : public dealii::ParameterAcceptor
   {
   public:
     Statics();
 
-    /** The word of the entry "Kinematics". */
-    const std::string &
+    /** How the springs are to be computed: one or both. */
+    std::vector<Kinematics>
     kinematics() const;
 
-    LinearModel<dim>
+    MaterialLaw
+    material_law() const;
+
+    /** The finite elements with the material law asked for. */
+    std::unique_ptr<Model>
     finite_elements(const Discretization<dim> &discretization,
                     const Element<dim> &element,
                     const MaterialTable &materials) const;
 
+    /** The finite elements at small deformations, which scale the loads. */
+    std::unique_ptr<Model>
+    linear_finite_elements(const Discretization<dim> &discretization,
+                           const Element<dim> &element,
+                           const MaterialTable &materials) const;
+
     /** @p name is the fit's, for errors. */
-    LinearModel<dim>
+    std::unique_ptr<Model>
     springs(const Discretization<dim> &discretization,
+            const Element<dim> &element,
             const SpringNetwork &network,
-            const std::string &name) const;
+            const std::string &name,
+            Kinematics kinematics) const;
 
   private:
     void
     check() const;
 
-    /** The solver for a matrix, as asked for or by its size. */
-    std::unique_ptr<LinearSolver<dim>>
-    solver(const Discretization<dim> &discretization,
-           const typename Discretization<dim>::Matrix &matrix) const;
+    /** Makes the solver for a matrix, as asked for or by its size. */
+    SolverFactory<dim>
+    solver_factory(const Discretization<dim> &discretization) const;
 
-    std::string kinematics_word_ = "linear";
-    std::string solver_word_     = "automatic";
-    double tolerance_            = 1e-10;
+    std::string kinematics_words_ = "linear";
+    std::string law_word_         = "linear";
+    std::string solver_word_      = "automatic";
+    double tolerance_             = 1e-10;
   };
 } // namespace springfit
 

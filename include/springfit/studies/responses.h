@@ -1,0 +1,55 @@
+#ifndef springfit_studies_responses_h
+#define springfit_studies_responses_h
+
+#include <springfit/core/session.h>
+#include <springfit/response/load_case.h>
+#include <springfit/response/model.h>
+#include <springfit/response/statics.h>
+#include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/scene.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace springfit
+{
+  /** How a network of springs answers a load case. */
+  struct NetworkResponse
+  {
+    std::size_t network; // position in the scene's networks
+    Kinematics kinematics;
+    Equilibrium equilibrium;
+  };
+
+  /**
+   * A load case, scaled, with the response of every model to it. Without a
+   * response of the finite elements to the whole load there is none of the
+   * springs.
+   */
+  struct CaseResult
+  {
+    LoadCase load_case;
+    Equilibrium reference;
+    std::vector<NetworkResponse> networks;
+  };
+
+  inline bool
+  is_complete(const Equilibrium &equilibrium)
+  {
+    return equilibrium.failure.empty();
+  }
+
+  /**
+   * Scale every load case to the deformation that the user asks of the linear
+   * finite elements, and find the equilibrium of all models under it. What does
+   * not reach the whole load is warned of.
+   */
+  template <int dim>
+  std::vector<CaseResult>
+  find_responses(const Scene<dim> &scene,
+                 const CalibratedScene<dim> &calibrated,
+                 const Loading &loading,
+                 Session &session);
+} // namespace springfit
+
+#endif

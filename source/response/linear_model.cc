@@ -1,0 +1,82 @@
+#include <springfit/core/error.h>
+#include <springfit/response/assembly.h>
+#include <springfit/response/linear_model.h>
+
+#include <deal.II/base/timer.h>
+
+#include <sstream>
+
+namespace springfit
+{
+  namespace
+  {
+    RunError
+    not_found(const ModelWords &words, const std::string &reason)
+    {
+      return RunError("The equilibrium of " + words.name +
+                        " was not found: " + reason,
+                      words.advice);
+    }
+
+    /** Do @p work; a failure of the solver is said in the model's words. */
+    template <typename Work>
+    auto
+    explaining(const ModelWords &words, const Work &work)
+    {
+      try
+        {
+          return work();
+        }
+      catch (const RunError &error)
+        {
+          throw not_found(words, error.what());
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  LinearModel<dim>::LinearModel(const Discretization<dim> &discretization,
+                                const ElasticBody &body,
+                                const SolverFactory<dim> &make_solver,
+                                const ModelWords &words)
+    : discretization_(discretization), words_(words)
+  {
+    dealii::Timer timer(discretization.communicator());
+    discretization.initialize(stiffness_);
+    const Eigen::MatrixXd rest =
+      Eigen::MatrixXd::Zero(dim, discretization.n_nodes());
+    const auto state = assemble(discretization, body, rest, stiffness_);
+    if (!state)
+      throw not_found(words, "its energy at rest is not finite.");
+    solver_ = explaining(words_, [&]() { return make_solver(stiffness_); });
+    timer.stop();
+    seconds_ = timer.wall_time();
+  }
+
+  template <int dim>
+  Equilibrium
+  LinearModel<dim>::respond(const Eigen::MatrixXd &forces) const
+  {
+    dealii::Timer timer(discretization_.communicator());
+    const auto right_hand_side = discretization_.to_vector(forces);
+    const auto displacement =
+      explaining(words_, [&]() { return solver_->solve(right_hand_side); });
+
+    auto residual = right_hand_side;
+    stiffness_.residual(residual, displacement, right_hand_side);
+    const double relative =
+      residual.l2_norm() / (right_hand_side.l2_norm() + 1e-300);
+    if (!(relative < 1e-6))
+      {
+        std::ostringstream reason;
+        reason << "the forces left over are " << relative << " of the load.";
+        throw not_found(words_, reason.str());
+      }
+    timer.stop();
+    return {discretization_.to_nodal(displacement),
+            seconds_ + timer.wall_time()};
+  }
+
+  template class LinearModel<2>;
+  template class LinearModel<3>;
+} // namespace springfit

@@ -1,0 +1,180 @@
+#include <springfit/core/error.h>
+#include <springfit/response/assembly.h>
+#include <springfit/response/newton.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace springfit
+{
+  namespace
+  {
+    constexpr unsigned int max_steps    = 40;
+    constexpr unsigned int max_halvings = 16;
+
+    /** The potential of the loaded body and its downhill forces at a state. */
+    template <int dim>
+    struct LoadedState
+    {
+      using Vector = typename Discretization<dim>::Vector;
+
+      Eigen::MatrixXd displacement;
+      double potential; // U - f . u, J
+      Vector leftover;  // f - grad U, N
+    };
+
+    template <int dim>
+    class LoadedBody
+    {
+    public:
+      using Vector = typename Discretization<dim>::Vector;
+      using Matrix = typename Discretization<dim>::Matrix;
+
+      LoadedBody(const Discretization<dim> &discretization,
+                 const ElasticBody &body,
+                 const SolverFactory<dim> &make_solver,
+                 const Vector &forces)
+        : discretization_(discretization)
+        , body_(body)
+        , make_solver_(make_solver)
+        , forces_(forces)
+      {
+        discretization.initialize(tangent_);
+      }
+
+      /** The tangent is that of the last state that was asked for. */
+      std::optional<LoadedState<dim>>
+      at(const Eigen::MatrixXd &displacement)
+      {
+        auto state = assemble(discretization_, body_, displacement, tangent_);
+        if (!state)
+          return {};
+        LoadedState<dim> loaded{displacement, state->energy, forces_};
+        loaded.potential -= forces_ * discretization_.to_vector(displacement);
+        loaded.leftover -= state->forces;
+        return loaded;
+      }
+
+      /** The way downhill from the state that was asked for last. */
+      std::optional<Vector>
+      direction(const LoadedState<dim> &state)
+      {
+        if (auto exact = solve(state.leftover); exact)
+          return exact;
+        assemble_convex_tangent(discretization_,
+                                body_,
+                                state.displacement,
+                                tangent_);
+        return solve(state.leftover);
+      }
+
+    private:
+      /** Nothing where there is no solution, or it leads uphill. */
+      std::optional<Vector>
+      solve(const Vector &leftover) const
+      {
+        try
+          {
+            auto direction = make_solver_(tangent_)->solve(leftover);
+            if (direction * leftover > 0.)
+              return direction;
+          }
+        catch (const RunError &)
+          {}
+        return {};
+      }
+
+      const Discretization<dim> &discretization_;
+      const ElasticBody &body_;
+      const SolverFactory<dim> &make_solver_;
+      const Vector &forces_;
+      Matrix tangent_;
+    };
+
+    bool
+    is_progress(const double potential,
+                const double leftover,
+                const double old_potential,
+                const double old_leftover,
+                const double expected)
+    {
+      return potential <= old_potential - 1e-4 * expected ||
+             leftover <= 0.5 * old_leftover;
+    }
+  } // namespace
+
+  template <int dim>
+  NewtonResult<dim>
+  newton(const Discretization<dim> &discretization,
+         const ElasticBody &body,
+         const SolverFactory<dim> &make_solver,
+         const typename Discretization<dim>::Vector &forces,
+         const Eigen::MatrixXd &start,
+         const double tolerance)
+  {
+    LoadedBody<dim> loaded(discretization, body, make_solver, forces);
+    const double load = forces.l2_norm();
+    auto state        = loaded.at(start);
+    AssertThrow(state, dealii::ExcMessage("Newton's start has no energy."));
+
+    NewtonResult<dim> result{start, {}, {}};
+    for (unsigned int step = 0; step < max_steps; ++step)
+      {
+        const double leftover = state->leftover.l2_norm();
+        result.residuals.push_back(leftover / load);
+        if (leftover <= tolerance * load)
+          return result;
+
+        const auto direction = loaded.direction(*state);
+        if (!direction)
+          {
+            result.failure = "the tangent stiffness is singular";
+            return result;
+          }
+        const Eigen::MatrixXd nodal = discretization.to_nodal(*direction);
+        const double slope          = *direction * state->leftover;
+
+        std::optional<LoadedState<dim>> next;
+        double length         = 1.;
+        unsigned int halvings = 0;
+        for (; halvings <= max_halvings; ++halvings, length *= 0.5)
+          {
+            next = loaded.at(result.displacement + length * nodal);
+            if (next && is_progress(next->potential,
+                                    next->leftover.l2_norm(),
+                                    state->potential,
+                                    leftover,
+                                    length * slope))
+              break;
+          }
+        if (halvings > max_halvings)
+          {
+            result.failure = "no step of Newton's method leads further";
+            return result;
+          }
+        state               = std::move(next);
+        result.displacement = state->displacement;
+      }
+    result.failure = "Newton's method did not converge in " +
+                     std::to_string(max_steps) + " steps";
+    return result;
+  }
+
+  template struct NewtonResult<2>;
+  template struct NewtonResult<3>;
+  template NewtonResult<2>
+  newton<2>(const Discretization<2> &,
+            const ElasticBody &,
+            const SolverFactory<2> &,
+            const Discretization<2>::Vector &,
+            const Eigen::MatrixXd &,
+            double);
+  template NewtonResult<3>
+  newton<3>(const Discretization<3> &,
+            const ElasticBody &,
+            const SolverFactory<3> &,
+            const Discretization<3>::Vector &,
+            const Eigen::MatrixXd &,
+            double);
+} // namespace springfit

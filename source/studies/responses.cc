@@ -1,0 +1,151 @@
+#include <springfit/comparison/errors.h>
+#include <springfit/core/error.h>
+#include <springfit/core/progress.h>
+#include <springfit/reference/material_law.h>
+#include <springfit/response/discretization.h>
+#include <springfit/studies/responses.h>
+
+namespace springfit
+{
+  namespace
+  {
+    /** Forces such that the linear finite elements deform as asked. */
+    template <int dim>
+    std::vector<CaseResult>
+    scale_cases(const Scene<dim> &scene,
+                const Discretization<dim> &discretization,
+                const CalibratedScene<dim> &calibrated,
+                const Loading &loading)
+    {
+      const auto model =
+        scene.statics.linear_finite_elements(discretization,
+                                             calibrated.element,
+                                             calibrated.materials);
+      std::vector<CaseResult> results;
+      for (const auto &unit : loading.cases)
+        {
+          CaseResult result{unit, model->respond(unit.forces), {}};
+          const double largest =
+            largest_displacement(result.reference.displacement);
+          if (!(largest > 0.))
+            throw EntryError("Loads/Cases",
+                             "the load '" + word_of(load_words(), unit.load) +
+                               "' moves nothing.",
+                             "Load another boundary.");
+          const double scale = loading.deformation * loading.extent / largest;
+          result.load_case.forces *= scale;
+          result.reference.displacement *= scale;
+          results.push_back(result);
+        }
+      return results;
+    }
+
+    void
+    warn_of_failure(const CaseResult &result,
+                    const Equilibrium &equilibrium,
+                    Session &session)
+    {
+      if (!is_complete(equilibrium))
+        session.warn("Load case " +
+                     word_of(load_words(), result.load_case.load) + ": " +
+                     equilibrium.failure);
+    }
+
+    template <int dim>
+    void
+    solve_reference(const Scene<dim> &scene,
+                    const Discretization<dim> &discretization,
+                    const CalibratedScene<dim> &calibrated,
+                    Session &session,
+                    std::vector<CaseResult> &results)
+    {
+      const auto model = scene.statics.finite_elements(discretization,
+                                                       calibrated.element,
+                                                       calibrated.materials);
+      Progress progress("Responses of the finite elements",
+                        results.size(),
+                        session.is_root());
+      for (auto &result : results)
+        {
+          result.reference = model->respond(result.load_case.forces);
+          warn_of_failure(result, result.reference, session);
+          progress.step();
+        }
+    }
+
+    template <int dim>
+    void
+    solve_networks(const Scene<dim> &scene,
+                   const Discretization<dim> &discretization,
+                   const CalibratedScene<dim> &calibrated,
+                   Session &session,
+                   std::vector<CaseResult> &results)
+    {
+      const auto all_kinematics = scene.statics.kinematics();
+      Progress progress("Responses of the springs",
+                        calibrated.networks.size() * all_kinematics.size() *
+                          results.size(),
+                        session.is_root());
+      for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
+        {
+          const auto &network = calibrated.networks[n];
+          dealii::TimerOutput::Scope scope(session.timer(),
+                                           "Springs, " + network.fit);
+          for (const Kinematics kinematics : all_kinematics)
+            {
+              const auto model = scene.statics.springs(discretization,
+                                                       calibrated.element,
+                                                       network.network,
+                                                       network.fit,
+                                                       kinematics);
+              for (auto &result : results)
+                {
+                  if (is_complete(result.reference))
+                    {
+                      result.networks.push_back(
+                        {n,
+                         kinematics,
+                         model->respond(result.load_case.forces)});
+                      warn_of_failure(result,
+                                      result.networks.back().equilibrium,
+                                      session);
+                    }
+                  progress.step();
+                }
+            }
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<CaseResult>
+  find_responses(const Scene<dim> &scene,
+                 const CalibratedScene<dim> &calibrated,
+                 const Loading &loading,
+                 Session &session)
+  {
+    const Discretization<dim> discretization(*calibrated.mesh,
+                                             loading.fixed,
+                                             session.communicator());
+    std::vector<CaseResult> results;
+    {
+      dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
+      results = scale_cases(scene, discretization, calibrated, loading);
+      if (scene.statics.material_law() != MaterialLaw::linear)
+        solve_reference(scene, discretization, calibrated, session, results);
+    }
+    solve_networks(scene, discretization, calibrated, session, results);
+    return results;
+  }
+
+  template std::vector<CaseResult>
+  find_responses<2>(const Scene<2> &,
+                    const CalibratedScene<2> &,
+                    const Loading &,
+                    Session &);
+  template std::vector<CaseResult>
+  find_responses<3>(const Scene<3> &,
+                    const CalibratedScene<3> &,
+                    const Loading &,
+                    Session &);
+} // namespace springfit
