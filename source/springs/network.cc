@@ -2,9 +2,21 @@
 #include <springfit/springs/network.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace springfit
 {
+  namespace
+  {
+    /** A spring of a cell by its nodes in the network. */
+    NodePair
+    nodes_of(const NodePair &pair, const std::vector<unsigned int> &vertices)
+    {
+      const auto [i, j] = std::minmax(vertices[pair[0]], vertices[pair[1]]);
+      return {{i, j}};
+    }
+  } // namespace
+
   unsigned int
   n_negative(const SpringNetwork &network)
   {
@@ -28,8 +40,7 @@ namespace springfit
   {
     for (std::size_t s = 0; s < pairs.size(); ++s)
       {
-        const auto [i, j] =
-          std::minmax(vertices[pairs[s][0]], vertices[pairs[s][1]]);
+        const auto [i, j] = nodes_of(pairs[s], vertices);
         // A node has some ten neighbours: searching them one by one is
         // quicker than any map.
         auto &row  = neighbours_[i];
@@ -47,6 +58,27 @@ namespace springfit
 
 
   void
+  NetworkBuilder::add_couplings(const std::vector<unsigned int> &vertices,
+                                const std::vector<NodePair> &pairs,
+                                const std::vector<LengthCoupling> &couplings)
+  {
+    for (const auto &[a, b, stiffness] : couplings)
+      couplings_.push_back({nodes_of(pairs[a], vertices),
+                            nodes_of(pairs[b], vertices),
+                            stiffness});
+  }
+
+
+  void
+  NetworkBuilder::add_volume(const std::vector<unsigned int> &vertices,
+                             const double stiffness,
+                             const double rest_volume)
+  {
+    volumes_.push_back({vertices, stiffness, rest_volume});
+  }
+
+
+  void
   NetworkBuilder::add_masses(const std::vector<unsigned int> &vertices,
                              const Eigen::Ref<const Eigen::VectorXd> &masses)
   {
@@ -59,8 +91,9 @@ namespace springfit
   NetworkBuilder::build() const
   {
     SpringNetwork network;
-    network.nodes = nodes_;
-    network.mass  = mass_;
+    network.nodes   = nodes_;
+    network.mass    = mass_;
+    network.volumes = volumes_;
     for (unsigned int i = 0; i < neighbours_.size(); ++i)
       {
         std::vector<Neighbour> row = neighbours_[i];
@@ -74,6 +107,46 @@ namespace springfit
               (nodes_.col(j) - nodes_.col(i)).norm());
           }
       }
+    network.couplings = merged_couplings(network);
     return network;
+  }
+
+
+  std::vector<LengthCoupling>
+  NetworkBuilder::merged_couplings(const SpringNetwork &network) const
+  {
+    // Springs are sorted by (i, j).
+    const auto position = [&](const NodePair &spring) -> unsigned int {
+      const auto row =
+        std::equal_range(network.i.begin(), network.i.end(), spring[0]);
+      const auto begin = network.j.begin() + (row.first - network.i.begin());
+      const auto end   = network.j.begin() + (row.second - network.i.begin());
+      const auto found = std::lower_bound(begin, end, spring[1]);
+      if (found == end || *found != spring[1])
+        throw std::logic_error("a coupling names a spring that is not there");
+      return found - network.j.begin();
+    };
+
+    std::vector<LengthCoupling> all;
+    for (const auto &coupling : couplings_)
+      {
+        const auto [a, b] =
+          std::minmax({position(coupling.a), position(coupling.b)});
+        all.push_back({a, b, coupling.stiffness});
+      }
+    // Stable, so that the sums do not depend on the sorting.
+    std::stable_sort(all.begin(),
+                     all.end(),
+                     [](const LengthCoupling &x, const LengthCoupling &y) {
+                       return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+                     });
+    std::vector<LengthCoupling> merged;
+    for (const auto &coupling : all)
+      if (!merged.empty() && merged.back().a == coupling.a &&
+          merged.back().b == coupling.b)
+        merged.back().stiffness += coupling.stiffness;
+      else
+        merged.push_back(coupling);
+    return merged;
   }
 } // namespace springfit

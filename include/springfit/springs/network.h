@@ -2,6 +2,7 @@
 #define springfit_springs_network_h
 
 #include <springfit/springs/cell_topology.h>
+#include <springfit/springs/coupling.h>
 
 #include <Eigen/Core>
 
@@ -10,6 +11,22 @@
 
 namespace springfit
 {
+  /**
+   * A spring whose coordinate is the volume V of a cell, in 2-d its area:
+   * energy stiffness (V - rest_volume)^2 / 2, in J; see volume.h.
+   */
+  struct VolumeSpring
+  {
+    /** The cell's vertices in deal.II's numbering; they tell its kind. */
+    std::vector<unsigned int> nodes;
+
+    /** J/m^6 = N/m^5 in 3-d, J/m^4 = N/m^3 in 2-d */
+    double stiffness;
+
+    /** m^3, in 2-d m^2 */
+    double rest_volume;
+  };
+
   /**
    * Point masses and the springs between them. Spring s connects the nodes
    * i[s] < j[s]; springs are sorted by (i, j) and no pair occurs twice.
@@ -28,6 +45,15 @@ namespace springfit
     /** m */
     std::vector<double> rest_length;
 
+    /**
+     * Terms between the lengths of two springs, sorted by their positions
+     * (a, b) in the list of springs; no pair occurs twice.
+     */
+    std::vector<LengthCoupling> couplings;
+
+    /** In the order of the cells. */
+    std::vector<VolumeSpring> volumes;
+
     /** per node, kg */
     std::vector<double> mass;
   };
@@ -37,8 +63,9 @@ namespace springfit
 
 
   /**
-   * Assembles a network cell by cell: the constants of springs and the masses
-   * of nodes that cells share are added, in the order of the cells.
+   * Assembles a network cell by cell: the constants of springs and couplings
+   * and the masses of nodes that cells share are added, in the order of the
+   * cells.
    */
   class NetworkBuilder
   {
@@ -56,11 +83,33 @@ namespace springfit
                 const std::vector<NodePair> &pairs,
                 const Eigen::Ref<const Eigen::VectorXd> &k);
 
+    /**
+     * @param vertices the cell's nodes
+     * @param pairs the cell's springs, as positions in @p vertices. Each of
+     * those coupled must be added as a spring too, be it without stiffness.
+     * @param couplings between positions in @p pairs
+     */
+    void
+    add_couplings(const std::vector<unsigned int> &vertices,
+                  const std::vector<NodePair> &pairs,
+                  const std::vector<LengthCoupling> &couplings);
+
+    /**
+     * @param vertices the cell's nodes in deal.II's numbering
+     * @param stiffness see VolumeSpring
+     * @param rest_volume m^3, in 2-d m^2
+     */
+    void
+    add_volume(const std::vector<unsigned int> &vertices,
+               double stiffness,
+               double rest_volume);
+
     /** @param masses one per vertex, kg */
     void
     add_masses(const std::vector<unsigned int> &vertices,
                const Eigen::Ref<const Eigen::VectorXd> &masses);
 
+    /** @throws std::logic_error when a coupling names an absent spring. */
     SpringNetwork
     build() const;
 
@@ -68,9 +117,23 @@ namespace springfit
     /** The other node and the stiffness. */
     using Neighbour = std::pair<unsigned int, double>;
 
+    /** Two springs by their nodes. */
+    struct Coupling
+    {
+      NodePair a;
+      NodePair b;
+      double stiffness;
+    };
+
+    /** Sorted by their springs, those of the same two springs added up. */
+    std::vector<LengthCoupling>
+    merged_couplings(const SpringNetwork &network) const;
+
     Eigen::MatrixXd nodes_;
     std::vector<double> mass_;
     std::vector<std::vector<Neighbour>> neighbours_;
+    std::vector<Coupling> couplings_;
+    std::vector<VolumeSpring> volumes_;
   };
 } // namespace springfit
 

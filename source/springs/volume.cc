@@ -1,0 +1,190 @@
+#include <springfit/springs/volume.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+namespace springfit
+{
+  namespace
+  {
+    /** The shape functions' gradients in the reference cell, dim x n_vertices,
+     * and the weight of that point. */
+    struct QuadraturePoint
+    {
+      Eigen::MatrixXd gradients;
+      double weight;
+    };
+
+    using Quadrature = std::vector<QuadraturePoint>;
+
+    Quadrature
+    simplex_quadrature(const int dim)
+    {
+      Eigen::MatrixXd gradients(dim, dim + 1);
+      gradients.col(0).setConstant(-1.);
+      gradients.rightCols(dim).setIdentity();
+      return {{gradients, dim == 2 ? 1. / 2. : 1. / 6.}};
+    }
+
+    /**
+     * Gauss' two points per direction: the Jacobian's determinant is of the
+     * second degree in each of them.
+     */
+    Quadrature
+    tensor_quadrature(const int dim)
+    {
+      const int n = 1 << dim;
+      // Shape function v in direction e at point q, and its slope.
+      const auto upper = [](const int v, const int e) { return v >> e & 1; };
+      const auto value = [&](const int v, const int q, const int e) {
+        const double xi = 0.5 + (upper(q, e) ? 0.5 : -0.5) / std::sqrt(3.);
+        return upper(v, e) ? xi : 1. - xi;
+      };
+      const auto slope = [&](const int v, const int e) {
+        return upper(v, e) ? 1. : -1.;
+      };
+      Quadrature quadrature;
+      for (int q = 0; q < n; ++q)
+        {
+          Eigen::MatrixXd gradients(dim, n);
+          for (int v = 0; v < n; ++v)
+            for (int d = 0; d < dim; ++d)
+              {
+                gradients(d, v) = 1.;
+                for (int e = 0; e < dim; ++e)
+                  gradients(d, v) *= e == d ? slope(v, e) : value(v, q, e);
+              }
+          quadrature.push_back({gradients, 1. / n});
+        }
+      return quadrature;
+    }
+
+    const Quadrature &
+    quadrature(const CellKind kind)
+    {
+      static const std::map<CellKind, Quadrature> table = [] {
+        std::map<CellKind, Quadrature> made;
+        for (const auto &entry : cell_kind_words())
+          {
+            const int dim     = dimension(entry.first);
+            made[entry.first] = is_simplex(entry.first)
+                                  ? simplex_quadrature(dim)
+                                  : tensor_quadrature(dim);
+          }
+        return made;
+      }();
+      return table.at(kind);
+    }
+
+    /** The derivative of det J with respect to J's entries. */
+    template <int dim>
+    Eigen::Matrix<double, dim, dim>
+    cofactors(const Eigen::Matrix<double, dim, dim> &J)
+    {
+      Eigen::Matrix<double, dim, dim> result;
+      if constexpr (dim == 2)
+        result << J(1, 1), -J(1, 0), -J(0, 1), J(0, 0);
+      else
+        for (int d = 0; d < 3; ++d)
+          result.col(d) = J.col((d + 1) % 3).cross(J.col((d + 2) % 3));
+      return result;
+    }
+
+    /**
+     * The second derivative of det (sum_v x_v g_v^T) with respect to x_v and
+     * x_w: eps_ac (g_v x g_w) in 2-d, eps_acd [J (g_v x g_w)]_d in 3-d.
+     */
+    template <int dim>
+    Eigen::Matrix<double, dim, dim>
+    mixed_derivative(const Eigen::Matrix<double, dim, dim> &J,
+                     const Eigen::Matrix<double, dim, 1> &g_v,
+                     const Eigen::Matrix<double, dim, 1> &g_w)
+    {
+      Eigen::Matrix<double, dim, dim> result;
+      if constexpr (dim == 2)
+        {
+          const double turn = g_v[0] * g_w[1] - g_v[1] * g_w[0];
+          result << 0., turn, -turn, 0.;
+        }
+      else
+        {
+          const Eigen::Vector3d r = J * g_v.cross(g_w);
+          result << 0., r[2], -r[1], -r[2], 0., r[0], r[1], -r[0], 0.;
+        }
+      return result;
+    }
+
+    template <int dim>
+    Eigen::VectorXd
+    gradient(const Eigen::MatrixXd &points, const CellKind kind)
+    {
+      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, points.cols());
+      for (const auto &[gradients, weight] : quadrature(kind))
+        {
+          const Eigen::Matrix<double, dim, dim> J =
+            points * gradients.transpose();
+          sum += weight * cofactors<dim>(J) * gradients;
+        }
+      return Eigen::Map<const Eigen::VectorXd>(sum.data(), sum.size());
+    }
+
+    template <int dim>
+    Eigen::MatrixXd
+    hessian(const Eigen::MatrixXd &points, const CellKind kind)
+    {
+      Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(points.size(), points.size());
+      for (const auto &[gradients, weight] : quadrature(kind))
+        {
+          const Eigen::Matrix<double, dim, dim> J =
+            points * gradients.transpose();
+          for (Eigen::Index v = 0; v < points.cols(); ++v)
+            for (Eigen::Index w = 0; w < points.cols(); ++w)
+              sum.block<dim, dim>(dim * v, dim * w) +=
+                weight *
+                mixed_derivative<dim>(J, gradients.col(v), gradients.col(w));
+        }
+      return sum;
+    }
+  } // namespace
+
+  double
+  volume(const Eigen::MatrixXd &points, const CellKind kind)
+  {
+    double sum = 0.;
+    for (const auto &[gradients, weight] : quadrature(kind))
+      sum += weight * (points * gradients.transpose()).determinant();
+    return sum;
+  }
+
+
+  Eigen::VectorXd
+  volume_gradient(const Eigen::MatrixXd &points, const CellKind kind)
+  {
+    return dimension(kind) == 2 ? gradient<2>(points, kind)
+                                : gradient<3>(points, kind);
+  }
+
+
+  Eigen::MatrixXd
+  volume_hessian(const Eigen::MatrixXd &points, const CellKind kind)
+  {
+    return dimension(kind) == 2 ? hessian<2>(points, kind)
+                                : hessian<3>(points, kind);
+  }
+
+
+  CellKind
+  cell_kind(const int dim, const std::size_t n)
+  {
+    for (const auto &entry : cell_kind_words())
+      if (dimension(entry.first) == dim &&
+          static_cast<std::size_t>(n_vertices(entry.first)) == n)
+        return entry.first;
+    throw std::logic_error("no cell has this number of vertices");
+  }
+} // namespace springfit

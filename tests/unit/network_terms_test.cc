@@ -1,0 +1,251 @@
+// What a network has besides springs: volumes and couplings of lengths.
+
+#include <springfit/springs/coupling.h>
+#include <springfit/springs/generalised_spring.h>
+#include <springfit/springs/gradients.h>
+#include <springfit/springs/network.h>
+#include <springfit/springs/rigid_modes.h>
+#include <springfit/springs/volume.h>
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "cells.h"
+
+using namespace springfit;
+using springfit::oracle::all_kinds;
+using springfit::oracle::Random;
+
+namespace
+{
+  Eigen::VectorXd
+  flat(const Eigen::MatrixXd &points)
+  {
+    return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
+  }
+
+  /** Central differences; column i is the derivative to coordinate i. */
+  template <typename F>
+  Eigen::MatrixXd
+  derivative(const F &f, const Eigen::MatrixXd &points)
+  {
+    constexpr double h = 1e-5;
+    std::vector<Eigen::VectorXd> columns;
+    for (Eigen::Index i = 0; i < points.size(); ++i)
+      {
+        Eigen::MatrixXd plus = points, minus = points;
+        plus.data()[i] += h;
+        minus.data()[i] -= h;
+        columns.emplace_back((f(plus) - f(minus)) / (2. * h));
+      }
+    Eigen::MatrixXd matrix(columns[0].size(), columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      matrix.col(i) = columns[i];
+    return matrix;
+  }
+
+  Eigen::VectorXd
+  scalar(const double value)
+  {
+    return Eigen::VectorXd::Constant(1, value);
+  }
+
+  TEST(Volume, OfKnownBodies)
+  {
+    const auto regular = [](const CellKind kind) {
+      return volume(oracle::regular_cell(kind), kind);
+    };
+    EXPECT_NEAR(regular(CellKind::triangle), std::sqrt(3.) / 4., 1e-15);
+    EXPECT_NEAR(regular(CellKind::quadrilateral), 1., 1e-15);
+    EXPECT_NEAR(regular(CellKind::tetrahedron), std::sqrt(2.) / 12., 1e-15);
+    EXPECT_NEAR(regular(CellKind::hexahedron), 1., 1e-15);
+
+    // Gauss' shoelace formula; deal.II's last two vertices are swapped.
+    Random random(21);
+    const Eigen::MatrixXd x =
+      oracle::random_cell(CellKind::quadrilateral, random);
+    double twice                    = 0.;
+    const std::array<int, 4> around = {0, 1, 3, 2};
+    for (int v = 0; v < 4; ++v)
+      {
+        const int a = around[v], b = around[(v + 1) % 4];
+        twice += x(0, a) * x(1, b) - x(0, b) * x(1, a);
+      }
+    EXPECT_NEAR(volume(x, CellKind::quadrilateral), twice / 2., 1e-15);
+
+    // A frustum of a pyramid, height 1, between squares of side 2 and 1.
+    Eigen::MatrixXd frustum = oracle::regular_cell(CellKind::hexahedron);
+    for (int v = 0; v < 4; ++v)
+      frustum.col(v).head(2) = 2. * frustum.col(v).head(2).array() - 0.5;
+    EXPECT_NEAR(volume(frustum, CellKind::hexahedron),
+                (4. + 2. + 1.) / 3.,
+                1e-14);
+  }
+
+  TEST(Volume, DerivativesAgreeWithDifferences)
+  {
+    Random random(22);
+    for (const CellKind kind : all_kinds)
+      {
+        const Eigen::MatrixXd x = oracle::random_cell(kind, random);
+        const auto V            = [&](const Eigen::MatrixXd &y) {
+          return scalar(volume(y, kind));
+        };
+        const auto gradient = [&](const Eigen::MatrixXd &y) {
+          return volume_gradient(y, kind);
+        };
+        const Eigen::MatrixXd H = volume_hessian(x, kind);
+        EXPECT_LT((derivative(V, x).transpose() - gradient(x)).norm(), 1e-9);
+        EXPECT_LT((derivative(gradient, x) - H).norm(), 1e-9);
+        EXPECT_GT(H.norm(), 0.1);
+      }
+  }
+
+  TEST(Volume, RigidMotionsChangeNothing)
+  {
+    Random random(23);
+    for (const CellKind kind : all_kinds)
+      {
+        const int dim               = dimension(kind);
+        const Eigen::MatrixXd x     = oracle::random_cell(kind, random);
+        const Eigen::MatrixXd Q     = random.rotation(dim);
+        const Eigen::VectorXd t     = random.matrix(dim, 1);
+        const Eigen::MatrixXd moved = (Q * x).colwise() + t;
+        EXPECT_NEAR(volume(moved, kind), volume(x, kind), 1e-14);
+        EXPECT_LT(
+          (rigid_body_modes(x).transpose() * volume_gradient(x, kind)).norm(),
+          1e-14);
+        // A mirror image is inside out.
+        Eigen::MatrixXd mirrored = x;
+        mirrored.row(0) *= -1.;
+        EXPECT_NEAR(volume(mirrored, kind), -volume(x, kind), 1e-14);
+      }
+  }
+
+  TEST(Volume, TheNumberOfVerticesTellsTheKind)
+  {
+    for (const CellKind kind : all_kinds)
+      EXPECT_EQ(cell_kind(dimension(kind), n_vertices(kind)), kind);
+    EXPECT_THROW(cell_kind(2, 8), std::logic_error);
+  }
+
+
+  /** The spring ends of a coupling as points: i_a, j_a, i_b, j_b. */
+  template <int dim>
+  void
+  check_coupling()
+  {
+    Random random(24);
+    const double stiffness = 3., L_a = 0.7, L_b = 1.6;
+    const Eigen::MatrixXd x = random.matrix(dim, 4);
+    using d_type            = Vector<dim>;
+    const auto apply        = [&](const auto &f, const Eigen::MatrixXd &y) {
+      return f(stiffness,
+               L_a,
+               L_b,
+               d_type(y.col(1) - y.col(0)),
+               d_type(y.col(3) - y.col(2)));
+    };
+    const auto energy = [&](const Eigen::MatrixXd &y) {
+      return scalar(apply(coupling_energy<dim>, y));
+    };
+    const auto gradient = [&](const Eigen::MatrixXd &y) {
+      return Eigen::VectorXd(apply(coupling_gradient<dim>, y));
+    };
+    const Eigen::MatrixXd H = apply(coupling_hessian<dim>, x);
+
+    EXPECT_NEAR(energy(x)[0],
+                stiffness * ((x.col(1) - x.col(0)).norm() - L_a) *
+                  ((x.col(3) - x.col(2)).norm() - L_b),
+                1e-14);
+    EXPECT_LT((derivative(energy, x).transpose() - gradient(x)).norm(), 1e-8);
+    EXPECT_LT((derivative(gradient, x) - H).norm(), 1e-8);
+
+    const Eigen::MatrixXd Q = random.rotation(dim);
+    EXPECT_NEAR(energy(Q * x)[0], energy(x)[0], 1e-14);
+    EXPECT_LT(
+      (Eigen::Map<const Eigen::MatrixXd>(gradient(Q * x).eval().data(),
+                                         dim,
+                                         4) -
+       Q * Eigen::Map<const Eigen::MatrixXd>(gradient(x).eval().data(), dim, 4))
+        .norm(),
+      1e-13);
+  }
+
+  TEST(Coupling, DerivativesAgreeWithDifferencesAndTurnWithTheNodes)
+  {
+    check_coupling<2>();
+    check_coupling<3>();
+  }
+
+
+  class TwoTriangles : public ::testing::Test
+  {
+  protected:
+    //  2 - 3
+    //  | \ |
+    //  0 - 1      springs: 01, 02, 12, 13, 23
+    TwoTriangles() : builder(nodes())
+    {
+      builder.add_springs(lower, pairs, Eigen::Vector3d(1., 2., 3.));
+      builder.add_springs(upper, pairs, Eigen::Vector3d(1., 2., 3.));
+    }
+
+    static Eigen::MatrixXd
+    nodes()
+    {
+      Eigen::MatrixXd x(2, 4);
+      x << 0., 2., 0., 2., //
+        0., 0., 1., 1.;
+      return x;
+    }
+
+    const std::vector<NodePair> &pairs    = node_pairs(CellKind::triangle);
+    const std::vector<unsigned int> lower = {0, 1, 2};
+    const std::vector<unsigned int> upper = {3, 2, 1};
+    NetworkBuilder builder;
+  };
+
+  TEST_F(TwoTriangles, CouplingsNameTheSpringsOfTheNetwork)
+  {
+    // Of (01, 02, 12), and of (32, 31, 21): the last one is shared.
+    builder.add_couplings(lower, pairs, {{0, 1, 10.}, {0, 2, 20.}});
+    builder.add_couplings(upper, pairs, {{1, 2, 40.}, {0, 2, 30.}});
+    const auto couplings = builder.build().couplings;
+    std::vector<std::vector<double>> found;
+    for (const auto &[a, b, stiffness] : couplings)
+      found.push_back({double(a), double(b), stiffness});
+    EXPECT_EQ(found,
+              (std::vector<std::vector<double>>{
+                {0, 1, 10.}, {0, 2, 20.}, {2, 3, 40.}, {2, 4, 30.}}));
+  }
+
+  TEST_F(TwoTriangles, CouplingsOfTheSameSpringsAreAdded)
+  {
+    builder.add_couplings(lower, pairs, {{1, 2, 10.}});
+    builder.add_couplings({2, 1, 0}, pairs, {{0, 1, 5.}}); // 21 and 20
+    const auto couplings = builder.build().couplings;
+    ASSERT_EQ(couplings.size(), 1u);
+    EXPECT_EQ(couplings[0].a, 1u);
+    EXPECT_EQ(couplings[0].b, 2u);
+    EXPECT_EQ(couplings[0].stiffness, 15.);
+  }
+
+  TEST_F(TwoTriangles, ACouplingNeedsItsSprings)
+  {
+    builder.add_couplings({0, 1, 3}, pairs, {{0, 1, 10.}}); // no spring 03
+    EXPECT_THROW(builder.build(), std::logic_error);
+  }
+
+  TEST_F(TwoTriangles, VolumesKeepTheirNodes)
+  {
+    builder.add_volume(lower, 7., 1.);
+    builder.add_volume(upper, 8., 1.);
+    const auto volumes = builder.build().volumes;
+    ASSERT_EQ(volumes.size(), 2u);
+    EXPECT_EQ(volumes[1].nodes, upper);
+    EXPECT_EQ(volumes[1].stiffness, 8.);
+    EXPECT_EQ(volumes[1].rest_volume, 1.);
+  }
+} // namespace
