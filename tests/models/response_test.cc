@@ -188,12 +188,15 @@ TEST(Springs, UnstableMotionsAreCounted)
   network.i.clear();
   network.j.clear();
   network.stiffness.clear();
+  network.rest_length.clear();
   for (unsigned int i = 0; i < 27; ++i)
     for (unsigned int j = i + 1; j < 27; ++j)
       {
         network.i.push_back(i);
         network.j.push_back(j);
         network.stiffness.push_back(random(-0.4, 1.));
+        network.rest_length.push_back(
+          (network.nodes.col(j) - network.nodes.col(i)).norm());
       }
   std::vector<bool> held(27, false);
   std::fill_n(held.begin(), 9, true);
