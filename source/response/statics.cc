@@ -13,6 +13,15 @@ namespace springfit
 {
   namespace
   {
+    // From how many unknowns on "automatic" means conjugate gradients. Networks
+    // with negative springs want factors as long as these are affordable;
+    // Newton's method needs many of them, and has the convex tangent.
+    template <int dim>
+    constexpr unsigned int smallest_cg_linear = dim == 2 ? 100000 : 10000;
+
+    template <int dim>
+    constexpr unsigned int smallest_cg_nonlinear = dim == 2 ? 20000 : 1500;
+
     const WordTable<SolverChoice> &
     solver_words()
     {
@@ -136,7 +145,8 @@ namespace springfit
                     join(words_of(solver_words()), " or ") +
                     " (no unit). Direct is Trilinos' KLU, cg conjugate "
                     "gradients with algebraic multigrid; automatic takes cg "
-                    "from 100,000 unknowns in 2-d and 10,000 in 3-d.");
+                    "from 100,000 unknowns in 2-d and 10,000 in 3-d, for "
+                    "nonlinear responses from 20,000 and 1,500.");
     add_parameter("Tolerance",
                   tolerance_,
                   "For cg and for nonlinear responses: the forces left over, "
@@ -179,18 +189,19 @@ namespace springfit
 
   template <int dim>
   SolverFactory<dim>
-  Statics<dim>::solver_factory(const Discretization<dim> &discretization) const
+  Statics<dim>::solver_factory(const Discretization<dim> &discretization,
+                               const unsigned int smallest_cg) const
   {
     const auto choice =
       value_of(solver_words(), solver_word_, "Response/Solver");
     const double tolerance = tolerance_;
-    return [&discretization, choice, tolerance](const auto &matrix) {
-      const unsigned int largest_direct = dim == 2 ? 100000 : 10000;
-      if (choice == SolverChoice::direct ||
-          (choice == SolverChoice::automatic && matrix.m() < largest_direct))
-        return make_direct_solver<dim>(matrix);
-      return make_cg_solver<dim>(discretization, matrix, tolerance);
-    };
+    return
+      [&discretization, choice, tolerance, smallest_cg](const auto &matrix) {
+        if (choice == SolverChoice::direct ||
+            (choice == SolverChoice::automatic && matrix.m() < smallest_cg))
+          return make_direct_solver<dim>(matrix);
+        return make_cg_solver<dim>(discretization, matrix, tolerance);
+      };
   }
 
   template <int dim>
@@ -206,7 +217,7 @@ namespace springfit
       element,
       std::make_unique<FiniteElementBody<dim>>(
         discretization.mesh(), element, materials, material_law()),
-      solver_factory(discretization),
+      solver_factory(discretization, smallest_cg_nonlinear<dim>),
       words_of_nonlinear_finite_elements(),
       tolerance_);
   }
@@ -222,7 +233,7 @@ namespace springfit
       discretization,
       FiniteElementBody<dim>(
         discretization.mesh(), element, materials, MaterialLaw::linear),
-      solver_factory(discretization),
+      solver_factory(discretization, smallest_cg_linear<dim>),
       words_of_finite_elements());
   }
 
@@ -238,13 +249,15 @@ namespace springfit
       return nonlinear_model<dim>(discretization,
                                   element,
                                   std::make_unique<NetworkBody<dim>>(network),
-                                  solver_factory(discretization),
+                                  solver_factory(discretization,
+                                                 smallest_cg_nonlinear<dim>),
                                   words_of_nonlinear_springs(name),
                                   tolerance_);
-    return std::make_unique<LinearModel<dim>>(discretization,
-                                              NetworkBody<dim>(network),
-                                              solver_factory(discretization),
-                                              words_of_springs(name));
+    return std::make_unique<LinearModel<dim>>(
+      discretization,
+      NetworkBody<dim>(network),
+      solver_factory(discretization, smallest_cg_linear<dim>),
+      words_of_springs(name));
   }
 
   template class Statics<2>;

@@ -77,9 +77,13 @@ namespace springfit
     void
     check() const;
 
-    /** Makes the solver for a matrix, as asked for or by its size. */
+    /**
+     * Makes the solver for a matrix, as asked for or by its size: by default
+     * conjugate gradients from @p smallest_cg unknowns on.
+     */
     SolverFactory<dim>
-    solver_factory(const Discretization<dim> &discretization) const;
+    solver_factory(const Discretization<dim> &discretization,
+                   unsigned int smallest_cg) const;
 
     std::string kinematics_words_ = "linear";
     std::string law_word_         = "linear";
