@@ -6,6 +6,7 @@
 #include <springfit/core/progress.h>
 #include <springfit/core/words.h>
 #include <springfit/reference/cell_matrices.h>
+#include <springfit/springs/volume.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
@@ -14,19 +15,13 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace springfit
 {
   namespace
   {
-    const WordTable<Enrichment> &
-    enrichment_words()
-    {
-      static const WordTable<Enrichment> table = {{Enrichment::none, "none"}};
-      return table;
-    }
-
     template <int dim>
     using CellIterator =
       typename dealii::Triangulation<dim>::active_cell_iterator;
@@ -64,15 +59,24 @@ namespace springfit
     std::vector<double>
     pack(const TimedFit &fit)
     {
+      const FitResult &result     = fit.result;
       std::vector<double> numbers = {fit.seconds,
-                                     fit.result.frobenius_residual,
-                                     fit.result.spectral_residual,
-                                     fit.result.duality_gap.value_or(-1.),
+                                     result.frobenius_residual,
+                                     result.spectral_residual,
+                                     result.duality_gap.value_or(-1.),
+                                     static_cast<double>(result.n_negative),
                                      static_cast<double>(
-                                       fit.result.n_negative)};
+                                       result.volume_stiffness.has_value()),
+                                     result.volume_stiffness.value_or(0.),
+                                     static_cast<double>(result.k.size())};
       numbers.insert(numbers.end(),
-                     fit.result.k.data(),
-                     fit.result.k.data() + fit.result.k.size());
+                     result.k.data(),
+                     result.k.data() + result.k.size());
+      for (const auto &[a, b, stiffness] : result.couplings)
+        numbers.insert(numbers.end(),
+                       {static_cast<double>(a),
+                        static_cast<double>(b),
+                        stiffness});
       return numbers;
     }
 
@@ -80,14 +84,22 @@ namespace springfit
     unpack(const std::vector<double> &numbers)
     {
       TimedFit fit;
-      fit.seconds                   = numbers[0];
-      fit.result.frobenius_residual = numbers[1];
-      fit.result.spectral_residual  = numbers[2];
+      FitResult &result         = fit.result;
+      fit.seconds               = numbers[0];
+      result.frobenius_residual = numbers[1];
+      result.spectral_residual  = numbers[2];
       if (numbers[3] >= 0.)
-        fit.result.duality_gap = numbers[3];
-      fit.result.n_negative = static_cast<unsigned int>(numbers[4]);
-      fit.result.k = Eigen::Map<const Eigen::VectorXd>(numbers.data() + 5,
-                                                       numbers.size() - 5);
+        result.duality_gap = numbers[3];
+      result.n_negative = static_cast<unsigned int>(numbers[4]);
+      if (numbers[5] != 0.)
+        result.volume_stiffness = numbers[6];
+      const auto n_springs = static_cast<std::size_t>(numbers[7]);
+      result.k =
+        Eigen::Map<const Eigen::VectorXd>(numbers.data() + 8, n_springs);
+      for (std::size_t c = 8 + n_springs; c < numbers.size(); c += 3)
+        result.couplings.push_back({static_cast<unsigned int>(numbers[c]),
+                                    static_cast<unsigned int>(numbers[c + 1]),
+                                    numbers[c + 2]});
       return fit;
     }
 
@@ -103,7 +115,7 @@ namespace springfit
                  const CellIterator<dim> &cell,
                  const CellKind kind)
     {
-      if (!result.k.allFinite())
+      if (!all_finite(result))
         throw RunError("The fit '" + fit_name + "' of " +
                          description<dim>(cell, kind) +
                          " gave constants that are not finite.",
@@ -121,6 +133,36 @@ namespace springfit
         }
     }
 
+    template <int dim>
+    IsotropicMaterial
+    material_of(const CellMaterial &material)
+    {
+      return isotropic_material(dim,
+                                material.lame.lambda,
+                                material.lame.mu,
+                                material.thickness);
+    }
+
+    /** How many cells do not meet each assumption of a published method. */
+    template <int dim>
+    std::map<std::string, unsigned int>
+    count_unmet_assumptions(const DistinctCells &cells,
+                            const std::vector<CellIterator<dim>> &iterators,
+                            const CellKind kind,
+                            const MaterialTable &materials,
+                            const Method method)
+    {
+      std::map<std::string, unsigned int> counts;
+      for (const auto &distinct : cells.distinct)
+        for (const auto &assumption : unmet_assumptions(
+               method,
+               cell_points<dim>(iterators[distinct.representative]),
+               kind,
+               material_of<dim>(materials.at(distinct.material))))
+          counts[assumption] += distinct.multiplicity;
+      return counts;
+    }
+
     /** Fit every distinct cell; the ranks share the work evenly. */
     template <int dim>
     std::vector<TimedFit>
@@ -131,6 +173,7 @@ namespace springfit
                  const MaterialTable &materials,
                  const Method method,
                  const FitOptions &options,
+                 const std::string &name,
                  Session &session)
     {
       const auto communicator = session.communicator();
@@ -138,7 +181,6 @@ namespace springfit
         dealii::Utilities::MPI::this_mpi_process(communicator);
       const unsigned int n_ranks =
         dealii::Utilities::MPI::n_mpi_processes(communicator);
-      const std::string name = word_of(method_words(), method);
 
       std::map<unsigned int, std::vector<double>> mine;
       run_collectively(communicator, [&]() {
@@ -150,11 +192,13 @@ namespace springfit
           {
             const auto &distinct = cells.distinct[c];
             const auto &cell     = iterators[distinct.representative];
+            const auto &material = materials.at(distinct.material);
             const auto start     = std::chrono::steady_clock::now();
-            const auto problem   = make_fit_problem(
-              cell_points<dim>(cell),
-              kind,
-              cell_matrices.stiffness(cell, materials.at(distinct.material)));
+            const auto problem =
+              make_fit_problem(cell_points<dim>(cell),
+                               kind,
+                               cell_matrices.stiffness(cell, material),
+                               material_of<dim>(material));
             FitResult result;
             try
               {
@@ -202,14 +246,31 @@ namespace springfit
       std::vector<unsigned int> cell_nodes;
       for (unsigned int c = 0; c < iterators.size(); ++c)
         {
-          const auto &copy = cells.copies[c];
-          builder.add_springs(copy.nodes,
-                              node_pairs(mesh.cell_kind),
-                              std::pow(copy.scale, dim - 2) *
-                                fits[copy.distinct].result.k);
+          const auto &copy       = cells.copies[c];
+          const CellModel &model = fits[copy.distinct].result;
+          const auto &pairs      = node_pairs(mesh.cell_kind);
+          // Stiffness is as the length to the power dim - 2. The tangent of a
+          // volume spring is its constant times the gradient's square, which
+          // is as the power 2 (dim - 1).
+          const double factor = std::pow(copy.scale, dim - 2);
+          builder.add_springs(copy.nodes, pairs, factor * model.k);
+
+          std::vector<LengthCoupling> couplings = model.couplings;
+          for (auto &coupling : couplings)
+            coupling.stiffness *= factor;
+          builder.add_couplings(copy.nodes, pairs, couplings);
+
           cell_nodes.clear();
           for (const unsigned int v : iterators[c]->vertex_indices())
             cell_nodes.push_back(iterators[c]->vertex_index(v));
+          // With the cell's own numbering, in which the volume is positive;
+          // a mirrored copy in that of the representative has a negative one.
+          if (model.volume_stiffness)
+            builder.add_volume(cell_nodes,
+                               std::pow(copy.scale, -dim) *
+                                 *model.volume_stiffness,
+                               volume(cell_points<dim>(iterators[c]),
+                                      mesh.cell_kind));
           builder.add_masses(
             cell_nodes,
             cell_matrices.masses(iterators[c],
@@ -225,12 +286,18 @@ namespace springfit
     add_parameter("Methods",
                   methods_word_,
                   "Fits, each a row of the tables: " +
-                    join(words_of(method_words())) + " (no unit).");
+                    join(words_of(method_words())) +
+                    " (no unit). The first three approximate the cell's "
+                    "stiffness; the others are published formulas.");
     add_parameter("Enrichment",
-                  enrichment_word_,
+                  enrichments_word_,
                   "What a cell has besides springs between all pairs of its "
                   "vertices: " +
-                    join(words_of(enrichment_words()), " or ") + " (no unit).");
+                    join(words_of(enrichment_words())) +
+                    " (no unit). Of a list, each fit takes those that it has, "
+                    "and each is a row of the tables: baudet and delingette "
+                    "have none and coupling, golec has volume, the others "
+                    "none.");
     add_parameter("Nonnegative",
                   options_.nonnegative,
                   "Whether every spring of a cell must have a stiffness >= 0 "
@@ -255,8 +322,7 @@ namespace springfit
   void
   Calibration<dim>::check() const
   {
-    values_of(method_words(), methods_word_, "Fit/Methods");
-    value_of(enrichment_words(), enrichment_word_, "Fit/Enrichment");
+    rows();
     if (!(options_.tolerance > 0. && std::isfinite(options_.tolerance)))
       {
         std::ostringstream value;
@@ -266,6 +332,73 @@ namespace springfit
                          "Give a relative gap such as 1e-6.");
       }
   }
+
+  template <int dim>
+  std::vector<typename Calibration<dim>::Row>
+  Calibration<dim>::rows() const
+  {
+    const auto methods =
+      values_of(method_words(), methods_word_, "Fit/Methods");
+    const auto enrichments =
+      values_of(enrichment_words(), enrichments_word_, "Fit/Enrichment");
+    std::vector<Row> rows;
+    for (const Method method : methods)
+      {
+        const auto &known   = enrichments_of(method);
+        const auto n_rows   = rows.size();
+        const auto is_known = [&](const Enrichment enrichment) {
+          return std::find(known.begin(), known.end(), enrichment) !=
+                 known.end();
+        };
+        for (const Enrichment enrichment : enrichments)
+          if (is_known(enrichment))
+            rows.push_back({method, enrichment});
+        if (rows.size() == n_rows)
+          {
+            std::vector<std::string> words;
+            for (const Enrichment enrichment : known)
+              words.push_back(word_of(enrichment_words(), enrichment));
+            const std::string fit = word_of(method_words(), method);
+            throw EntryError("Fit/Enrichment",
+                             "the fit '" + fit + "' does not have '" +
+                               enrichments_word_ + "'.",
+                             "It has: " + join(words) +
+                               ". Add one to the list, or leave '" + fit +
+                               "' out of 'Methods'.");
+          }
+      }
+    return rows;
+  }
+
+
+  template <int dim>
+  void
+  Calibration<dim>::check_cells(const CellKind kind) const
+  {
+    const auto suits = [](const Method method, const CellKind cells) {
+      const auto &known = cells_of(method);
+      return std::find(known.begin(), known.end(), cells) != known.end();
+    };
+    for (const auto &row : rows())
+      if (!suits(row.method, kind))
+        {
+          std::vector<std::string> fits, cells;
+          for (const auto &[method, word] : method_words())
+            if (suits(method, kind))
+              fits.push_back(word);
+          for (const CellKind known : cells_of(row.method))
+            cells.push_back(word_of(cell_kind_words(), known));
+          const std::string mesh_cells = word_of(cell_kind_words(), kind);
+          throw EntryError("Fit/Methods",
+                           "'" + word_of(method_words(), row.method) +
+                             "' is not published for " + mesh_cells +
+                             ", of which the mesh is made, but for " +
+                             join(cells, " and ") + '.',
+                           "For " + mesh_cells + " there are: " + join(fits) +
+                             '.');
+        }
+  }
+
 
   template <int dim>
   std::vector<CalibratedNetwork>
@@ -279,26 +412,41 @@ namespace springfit
     const auto iterators = cells_by_index(mesh);
     search_timer.stop();
 
+    check_cells(mesh.cell_kind);
+    std::set<Method> warned;
     std::vector<CalibratedNetwork> networks;
-    for (const Method method :
-         values_of(method_words(), methods_word_, "Fit/Methods"))
+    for (const auto &[method, enrichment] : rows())
       {
-        const std::string word = word_of(method_words(), method);
-        dealii::TimerOutput::Scope scope(session.timer(),
-                                         "Calibration, " + word);
-        dealii::Timer timer(session.communicator());
+        CalibratedNetwork network;
+        network.fit        = word_of(method_words(), method);
+        network.enrichment = word_of(enrichment_words(), enrichment);
+        network.name       = enrichment == Enrichment::none
+                               ? network.fit
+                               : network.fit + '_' + network.enrichment;
 
-        const auto fits = fit_distinct(cells,
+        if (warned.insert(method).second)
+          for (const auto &[assumption, n_cells] : count_unmet_assumptions<dim>(
+                 cells, iterators, mesh.cell_kind, materials, method))
+            session.warn("The constants of '" + network.fit +
+                         "' are published for " + assumption + ", which " +
+                         std::to_string(n_cells) + " of " +
+                         std::to_string(iterators.size()) +
+                         " cells do not meet. They are used all the same.");
+
+        dealii::TimerOutput::Scope scope(session.timer(),
+                                         "Calibration, " + network.name);
+        dealii::Timer timer(session.communicator());
+        FitOptions options = options_;
+        options.enrichment = enrichment;
+        const auto fits    = fit_distinct(cells,
                                        iterators,
                                        mesh.cell_kind,
                                        element,
                                        materials,
                                        method,
-                                       options_,
+                                       options,
+                                       network.name,
                                        session);
-        CalibratedNetwork network;
-        network.fit        = word;
-        network.enrichment = enrichment_word_;
         network.network =
           assemble_network(mesh, cells, iterators, fits, element, materials);
         for (unsigned int c = 0; c < fits.size(); ++c)
@@ -308,6 +456,13 @@ namespace springfit
                                    fits[c].seconds});
         timer.stop();
         network.seconds = search_timer.wall_time() + timer.wall_time();
+
+        const unsigned int n = n_negative(network.network);
+        if (options.nonnegative && is_published(method) && n > 0)
+          session.warn("Of the springs of '" + network.name + "' " +
+                       std::to_string(n) +
+                       " are negative: 'Nonnegative' does not change the "
+                       "constants of a published fit.");
         networks.push_back(std::move(network));
       }
     return networks;

@@ -6,21 +6,47 @@
 
 namespace springfit
 {
+  namespace
+  {
+    /** A spring's elongation is this times the displacement gradient. */
+    Eigen::VectorXd
+    dyad(const SpringNetwork &network, const std::size_t spring)
+    {
+      const Eigen::Index dim  = network.nodes.rows();
+      const Eigen::VectorXd d = network.nodes.col(network.j[spring]) -
+                                network.nodes.col(network.i[spring]);
+      Eigen::VectorXd result(dim * dim);
+      for (Eigen::Index i = 0; i < dim; ++i)
+        for (Eigen::Index j = 0; j < dim; ++j)
+          result[dim * i + j] = d[i] * d[j] / d.norm();
+      return result;
+    }
+  } // namespace
+
   ElasticityTensor
   homogenised_tensor(const SpringNetwork &network, const double volume)
   {
     const Eigen::Index dim  = network.nodes.rows();
     ElasticityTensor tensor = ElasticityTensor::Zero(dim * dim, dim * dim);
-    Eigen::VectorXd dyad(dim * dim);
     for (std::size_t s = 0; s < network.stiffness.size(); ++s)
       {
-        const Eigen::VectorXd d =
-          network.nodes.col(network.j[s]) - network.nodes.col(network.i[s]);
-        for (Eigen::Index i = 0; i < dim; ++i)
-          for (Eigen::Index j = 0; j < dim; ++j)
-            dyad[dim * i + j] = d[i] * d[j] / d.norm();
-        tensor += network.stiffness[s] * dyad * dyad.transpose();
+        const Eigen::VectorXd q = dyad(network, s);
+        tensor += network.stiffness[s] * q * q.transpose();
       }
+    for (const auto &[a, b, stiffness] : network.couplings)
+      {
+        const Eigen::MatrixXd term =
+          stiffness * dyad(network, a) * dyad(network, b).transpose();
+        tensor += term + term.transpose();
+      }
+
+    // A volume changes by itself times the divergence.
+    double volumes = 0.;
+    for (const auto &spring : network.volumes)
+      volumes += spring.stiffness * spring.rest_volume * spring.rest_volume;
+    for (Eigen::Index i = 0; i < dim; ++i)
+      for (Eigen::Index j = 0; j < dim; ++j)
+        tensor(dim * i + i, dim * j + j) += volumes;
     return tensor / volume;
   }
 

@@ -58,18 +58,62 @@ namespace springfit
     table.write(folder / "nodes.csv");
   }
 
+  namespace
+  {
+    CsvTable
+    springs_table(const SpringNetwork &network)
+    {
+      CsvTable table("i,j,k,rest_length");
+      for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+        {
+          table.new_row();
+          table << network.i[s] << network.j[s];
+          table.exactly(network.stiffness[s]).exactly(network.rest_length[s]);
+        }
+      return table;
+    }
+
+    CsvTable
+    couplings_table(const SpringNetwork &network)
+    {
+      CsvTable table("a,b,stiffness");
+      for (const auto &[a, b, stiffness] : network.couplings)
+        {
+          table.new_row();
+          table << a << b;
+          table.exactly(stiffness);
+        }
+      return table;
+    }
+
+    /** The cells of a mesh are of one kind: all rows are of the same length. */
+    CsvTable
+    volumes_table(const SpringNetwork &network)
+    {
+      std::string header;
+      for (std::size_t v = 0; v < network.volumes.front().nodes.size(); ++v)
+        header += 'n' + std::to_string(v) + ',';
+      CsvTable table(header + "k,rest_volume");
+      for (const auto &[nodes, stiffness, rest_volume] : network.volumes)
+        {
+          table.new_row();
+          for (const unsigned int node : nodes)
+            table << node;
+          table.exactly(stiffness).exactly(rest_volume);
+        }
+      return table;
+    }
+  } // namespace
+
   void
-  write_springs(const std::filesystem::path &folder,
-                const std::string &fit,
+  write_network(const std::filesystem::path &folder,
+                const std::string &name,
                 const SpringNetwork &network)
   {
-    CsvTable table("i,j,k,rest_length");
-    for (std::size_t s = 0; s < network.stiffness.size(); ++s)
-      {
-        table.new_row();
-        table << network.i[s] << network.j[s];
-        table.exactly(network.stiffness[s]).exactly(network.rest_length[s]);
-      }
-    table.write(folder / ("springs_" + fit + ".csv"));
+    springs_table(network).write(folder / ("springs_" + name + ".csv"));
+    if (!network.couplings.empty())
+      couplings_table(network).write(folder / ("couplings_" + name + ".csv"));
+    if (!network.volumes.empty())
+      volumes_table(network).write(folder / ("volumes_" + name + ".csv"));
   }
 } // namespace springfit

@@ -75,6 +75,16 @@ namespace springfit
       kind, [](const CellKind k) { return all_pairs(n_vertices(k)); });
   }
 
+  std::optional<int>
+  edge_axis(const NodePair &pair)
+  {
+    // Bit d of a vertex number is its coordinate d.
+    for (int axis = 0; axis < 3; ++axis)
+      if ((pair[0] ^ pair[1]) == 1u << axis)
+        return axis;
+    return {};
+  }
+
   const std::vector<std::vector<unsigned int>> &
   symmetries(const CellKind kind)
   {

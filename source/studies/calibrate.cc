@@ -15,14 +15,15 @@ namespace springfit
     run_on_root(session.communicator(), [&]() {
       for (const auto &network : calibrated.networks)
         write_springs_vtu<dim>(session.output_directory() /
-                                 ("springs_" + network.fit + ".vtu"),
+                                 ("springs_" + network.name + ".vtu"),
                                network.network,
                                {});
     });
     session.print(
       "\nResults are in " + session.output_directory().string() +
       ": springs_<fit>.csv and nodes.csv are the model; open springs_" +
-      calibrated.networks.front().fit + ".vtu in ParaView and colour it by k.");
+      calibrated.networks.front().name +
+      ".vtu in ParaView and colour it by k.");
   }
 
   template void

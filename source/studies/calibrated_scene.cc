@@ -32,7 +32,7 @@ namespace springfit
     {
       std::vector<FitRow> rows;
       for (const auto &cell : network.cells)
-        rows.push_back({network.fit,
+        rows.push_back({network.name,
                         singular(kind) + ' ' + std::to_string(cell.cell),
                         cell.multiplicity,
                         cell.result.frobenius_residual,
@@ -59,8 +59,8 @@ namespace springfit
               gap       = std::max(gap, *cell.result.duality_gap);
             }
         }
-      return formatted("%-12s %8zu %10zu %9u %11.2f %11.2f %12s %9.3f",
-                       network.fit.c_str(),
+      return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %12s %9.3f",
+                       network.name.c_str(),
                        network.cells.size(),
                        network.network.stiffness.size(),
                        n_negative(network.network),
@@ -79,6 +79,12 @@ namespace springfit
                : young_poisson(part.lambda, part.mu);
     }
 
+    bool
+    springs_alone(const SpringNetwork &network)
+    {
+      return network.couplings.empty() && network.volumes.empty();
+    }
+
     /** Say what a network is as a material, and what it cannot be. */
     template <int dim>
     void
@@ -88,31 +94,53 @@ namespace springfit
     {
       session.print("\nThe networks as materials (affine deformation; E Pa, "
                     "anisotropy relative to C):");
-      YoungPoisson constants{0., 0.};
+      std::vector<YoungPoisson> delivered;
       for (const auto &network : calibrated.networks)
         {
           const auto part = isotropic_part(
             homogenised_tensor(network.network, calibrated.volume));
-          constants = constants_of<dim>(part, scene.material.plane_state());
-          session.print(formatted("  %-12s E %.6g, nu %.4f, anisotropy %.1f %%",
-                                  network.fit.c_str(),
-                                  constants.youngs_modulus,
-                                  constants.poissons_ratio,
+          delivered.push_back(
+            constants_of<dim>(part, scene.material.plane_state()));
+          session.print(formatted("  %-20s E %.6g, nu %.4f, anisotropy %.1f %%",
+                                  network.name.c_str(),
+                                  delivered.back().youngs_modulus,
+                                  delivered.back().poissons_ratio,
                                   100. * part.anisotropy));
         }
 
-      // Cauchy's relations: lambda = mu, whatever the constants.
-      std::set<double> dishonoured;
+      std::set<double> wanted;
       for (const auto &[id, material] : calibrated.materials)
-        if (std::abs(material.constants.poissons_ratio -
-                     constants.poissons_ratio) > 0.01)
-          dishonoured.insert(material.constants.poissons_ratio);
-      for (const double wanted : dishonoured)
-        session.warn(formatted(
-          "Springs alone cannot honour Poisson's ratio %.4g: a network of "
-          "springs delivers %.4g in this setting, whatever their stiffness.",
-          wanted,
-          constants.poissons_ratio));
+        wanted.insert(material.constants.poissons_ratio);
+      const auto differs = [](const double nu, const YoungPoisson &other) {
+        return std::abs(nu - other.poissons_ratio) > 0.01;
+      };
+
+      // Cauchy's relations: lambda = mu, whatever the constants of the springs.
+      for (std::size_t n = 0; n < delivered.size(); ++n)
+        if (springs_alone(calibrated.networks[n].network))
+          {
+            for (const double nu : wanted)
+              if (differs(nu, delivered[n]))
+                session.warn(formatted(
+                  "Springs alone cannot honour Poisson's ratio %.4g: a network "
+                  "of springs delivers %.4g in this setting, whatever their "
+                  "stiffness.",
+                  nu,
+                  delivered[n].poissons_ratio));
+            break; // It is the same for all of them.
+          }
+
+      // What other networks deliver is a mean over the materials.
+      if (wanted.size() == 1)
+        for (std::size_t n = 0; n < delivered.size(); ++n)
+          if (!springs_alone(calibrated.networks[n].network) &&
+              differs(*wanted.begin(), delivered[n]))
+            session.warn(formatted(
+              "The network '%s' does not honour Poisson's ratio %.4g: it "
+              "delivers %.4g.",
+              calibrated.networks[n].name.c_str(),
+              *wanted.begin(),
+              delivered[n].poissons_ratio));
     }
   } // namespace
 
@@ -124,7 +152,8 @@ namespace springfit
     CalibratedScene<dim> calibrated;
     calibrated.mesh =
       scene.geometry.create(session.communicator(), scene.folder);
-    const auto &mesh     = *calibrated.mesh;
+    const auto &mesh = *calibrated.mesh;
+    scene.calibration.check_cells(mesh.cell_kind);
     calibrated.element   = make_element<dim>(mesh.cell_kind);
     calibrated.materials = scene.material.resolve(mesh);
 
@@ -163,7 +192,7 @@ namespace springfit
                                                       calibrated.materials,
                                                       session);
     session.print(
-      "fit          distinct    springs  negative  |E|_F max%  |E|_2 max%  "
+      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%  "
       "duality gap    time s");
     std::vector<FitRow> rows;
     for (const auto &network : calibrated.networks)
@@ -181,7 +210,7 @@ namespace springfit
       write_fits(folder, rows);
       write_nodes(folder, calibrated.networks.front().network);
       for (const auto &network : calibrated.networks)
-        write_springs(folder, network.fit, network.network);
+        write_network(folder, network.name, network.network);
     });
   }
 

@@ -110,7 +110,8 @@ TEST(Calibration, OfCongruentCellsEqualsFittingEachOne)
           const auto problem = make_fit_problem(
             cell_points<3>(cell),
             CellKind::hexahedron,
-            matrices.stiffness(cell, materials.at(cell->material_id())));
+            matrices.stiffness(cell, materials.at(cell->material_id())),
+            {});
           const auto result =
             fit(problem,
                 value_of(method_words(), network.fit, "Fit/Methods"),

@@ -215,8 +215,10 @@ namespace springfit::oracle
               const CellKind kind,
               const double nu)
   {
-    return make_fit_problem(
-      points, kind, stiffness(points, kind, usual_elasticity(kind, nu)));
+    return make_fit_problem(points,
+                            kind,
+                            stiffness(points, kind, usual_elasticity(kind, nu)),
+                            {1., nu, 1.});
   }
 
   /** A random cell with nu in 0 .. 0.45. */

@@ -172,8 +172,8 @@ namespace
     const auto problem =
       make_fit_problem(x,
                        CellKind::triangle,
-                       oracle::simplex_stiffness(x,
-                                                 oracle::plane_strain(0.25)));
+                       oracle::simplex_stiffness(x, oracle::plane_strain(0.25)),
+                       isotropic_material(2, 0.4, 0.4, 1.));
     for (const auto &[method, options] : all_fits())
       EXPECT_LT(fit(problem, method, options).spectral_residual, 1e-8);
   }
@@ -190,7 +190,14 @@ namespace
   TEST(Fit, Words)
   {
     EXPECT_EQ(words_of(method_words()),
-              (std::vector<std::string>{"block", "frobenius", "spectral"}));
+              (std::vector<std::string>{"block",
+                                        "frobenius",
+                                        "spectral",
+                                        "gelder",
+                                        "lloyd",
+                                        "baudet",
+                                        "delingette",
+                                        "golec"}));
     EXPECT_EQ(words_of(engine_words()),
               (std::vector<std::string>{"ipopt", "barrier"}));
   }

@@ -15,11 +15,6 @@
 
 namespace springfit
 {
-  enum class Enrichment
-  {
-    none
-  };
-
   /** What a fit reached on one distinct cell. */
   struct CellFit
   {
@@ -32,6 +27,12 @@ namespace springfit
   /** A mesh turned into springs by one fit. */
   struct CalibratedNetwork
   {
+    /**
+     * What files and tables call it: <fit>, or <fit>_<enrichment> where it has
+     * an enrichment.
+     */
+    std::string name;
+
     std::string fit;
     std::string enrichment;
     SpringNetwork network;
@@ -50,9 +51,15 @@ namespace springfit
   public:
     Calibration();
 
+    /** @throws EntryError when a method asked for is not for these cells. */
+    void
+    check_cells(CellKind kind) const;
+
     /**
-     * A network for each method asked for.
+     * A network for each method and each enrichment asked for that the method
+     * has. Warns where the assumptions of a published method do not hold.
      *
+     * @throws EntryError as check_cells() does.
      * @throws RunError when a fit fails or its certified gap exceeds the
      * tolerance, with the cell, its place and its shape quality.
      */
@@ -66,9 +73,23 @@ namespace springfit
     void
     check() const;
 
-    std::string methods_word_    = "frobenius, spectral";
-    std::string enrichment_word_ = "none";
-    std::string engine_word_     = "ipopt";
+    /** A row of the tables. */
+    struct Row
+    {
+      Method method;
+      Enrichment enrichment;
+    };
+
+    /**
+     * @throws EntryError when a word is not known, or a method has none of the
+     * enrichments.
+     */
+    std::vector<Row>
+    rows() const;
+
+    std::string methods_word_     = "frobenius, spectral";
+    std::string enrichments_word_ = "none";
+    std::string engine_word_      = "ipopt";
     FitOptions options_;
   };
 } // namespace springfit

@@ -1,21 +1,38 @@
 #ifndef springfit_fit_fit_h
 #define springfit_fit_fit_h
 
+#include <springfit/core/cell_kind.h>
 #include <springfit/core/words.h>
+#include <springfit/fit/cell_model.h>
 #include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace springfit
 {
-  /** What a fit makes small; see block.h, frobenius.h, spectral.h. */
+  /** A fit; see the header of its name. */
   enum class Method
   {
     block,
     frobenius,
-    spectral
+    spectral,
+    gelder,
+    lloyd,
+    baudet,
+    delingette,
+    golec
+  };
+
+  /** What a cell has besides springs between all pairs of its vertices. */
+  enum class Enrichment
+  {
+    none,
+    volume,  // a spring of its volume, in 2-d of its area
+    coupling // terms between the lengths of two springs
   };
 
   /** What solves the spectral fit. */
@@ -28,11 +45,42 @@ namespace springfit
   const WordTable<Method> &
   method_words();
 
+  const WordTable<Enrichment> &
+  enrichment_words();
+
   const WordTable<Engine> &
   engine_words();
 
+  /** The cells that a fit is for. */
+  const std::vector<CellKind> &
+  cells_of(Method method);
+
+  /** The enrichments that a fit has. */
+  const std::vector<Enrichment> &
+  enrichments_of(Method method);
+
+  /**
+   * Whether a fit has formulas of its own, to be taken as they are: options do
+   * not change them.
+   */
+  bool
+  is_published(Method method);
+
+  /**
+   * The assumptions of a published fit that a cell does not meet, as parts of
+   * a sentence: "squares". The fit can be made all the same.
+   */
+  std::vector<std::string>
+  unmet_assumptions(Method method,
+                    const Eigen::MatrixXd &points,
+                    CellKind kind,
+                    const IsotropicMaterial &material);
+
   struct FitOptions
   {
+    /** One of those that the fit has. */
+    Enrichment enrichment = Enrichment::none;
+
     /** Keep every k >= 0. */
     bool nonnegative = false;
 
@@ -45,12 +93,13 @@ namespace springfit
     double tolerance = 1e-6;
   };
 
-  struct FitResult
+  /** The lumped forces of a cell, and how near they are to R. */
+  struct FitResult : CellModel
   {
-    /** One stiffness per spring, N/m */
-    Eigen::VectorXd k;
-
-    /** ||E(k)||_F / ||R||_F and ||E(k)||_2 / ||R||_2 */
+    /**
+     * ||E||_F / ||R||_F and ||E||_2 / ||R||_2 with E all that the springs,
+     * couplings and the volume spring miss.
+     */
     double frobenius_residual;
     double spectral_residual;
 
@@ -61,11 +110,14 @@ namespace springfit
      */
     std::optional<double> duality_gap;
 
+    /** Springs; couplings and volume springs do not count. */
     unsigned int n_negative;
   };
 
   /**
-   * Fit the springs of one cell. A large duality gap is reported, not thrown.
+   * Fit the springs of one cell, which must be of a kind in cells_of() and with
+   * an enrichment in enrichments_of() the method. A large duality gap is
+   * reported, not thrown.
    *
    * @throws RunError when R is zero or not finite, or when the engine breaks
    * down without a result.

@@ -1,6 +1,8 @@
 #ifndef springfit_fit_problem_h
 #define springfit_fit_problem_h
 
+#include <springfit/fit/cell_material.h>
+#include <springfit/fit/cell_model.h>
 #include <springfit/springs/cell_topology.h>
 
 #include <Eigen/Core>
@@ -10,7 +12,8 @@
 namespace springfit
 {
   /**
-   * What a fit is given: find k such that B diag(k) B^T resembles R.
+   * What a fit is given: find k such that B diag(k) B^T resembles R. The
+   * published formulas do not look at R but at the shape and the material.
    */
   struct FitProblem
   {
@@ -24,17 +27,30 @@ namespace springfit
 
     /** R, (dim * n_nodes) x (dim * n_nodes), N/m: the cell's stiffness */
     Eigen::MatrixXd stiffness;
+
+    CellKind kind;
+
+    IsotropicMaterial material;
   };
 
   /** The problem of a cell whose vertices are fully connected. */
   FitProblem
   make_fit_problem(const Eigen::MatrixXd &points,
                    CellKind kind,
-                   const Eigen::MatrixXd &stiffness);
+                   const Eigen::MatrixXd &stiffness,
+                   const IsotropicMaterial &material);
 
   /** E(k) = R - B diag(k) B^T, what the springs miss. */
   Eigen::MatrixXd
   residual(const FitProblem &problem, const Eigen::VectorXd &k);
+
+  /**
+   * What all the lumped forces of a cell miss of R: E(k) without the tangents
+   * at rest of its couplings, c (b_a b_b^T + b_b b_a^T), and of its volume
+   * spring.
+   */
+  Eigen::MatrixXd
+  residual(const FitProblem &problem, const CellModel &model);
 } // namespace springfit
 
 #endif

@@ -58,10 +58,20 @@ namespace springfit
   write_nodes(const std::filesystem::path &folder,
               const SpringNetwork &network);
 
-  /** springs_<fit>.csv: node numbers from 0, N/m, m. */
+  /**
+   * The constants of a network called @p name:
+   *
+   * springs_<name>.csv `i,j,k,rest_length`: node numbers from 0, N/m, m;
+   *
+   * couplings_<name>.csv `a,b,stiffness`, if it has any: rows of the springs'
+   * table from 0, N/m;
+   *
+   * volumes_<name>.csv `n0,n1,...,k,rest_volume`, if it has any: the nodes of
+   * each cell in deal.II's numbering, N/m^5 (2-d N/m^3), m^3 (2-d m^2).
+   */
   void
-  write_springs(const std::filesystem::path &folder,
-                const std::string &fit,
+  write_network(const std::filesystem::path &folder,
+                const std::string &name,
                 const SpringNetwork &network);
 } // namespace springfit
 

@@ -4,6 +4,7 @@
 #include <springfit/core/cell_kind.h>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace springfit
@@ -17,6 +18,13 @@ namespace springfit
    */
   const std::vector<NodePair> &
   node_pairs(CellKind kind);
+
+  /**
+   * The axis of the reference cell along which an edge of a quadrilateral or
+   * hexahedron runs; nothing for a diagonal.
+   */
+  std::optional<int>
+  edge_axis(const NodePair &pair);
 
   /**
    * The renumberings of the reference cell's vertices under which its P1 or Q1
