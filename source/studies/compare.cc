@@ -44,6 +44,14 @@ namespace springfit
       return apparent;
     }
 
+    /** Springs of stiffness >= 0 alone cannot. */
+    bool
+    can_be_unstable(const SpringNetwork &network)
+    {
+      return n_negative(network) > 0 || !network.couplings.empty() ||
+             !network.volumes.empty();
+    }
+
     /**
      * Warn of networks that are not at rest in a minimum of energy. Counting
      * takes a direct factorisation, which is too much for the largest ones.
@@ -56,7 +64,7 @@ namespace springfit
     {
       constexpr Eigen::Index largest = dim == 2 ? 50000 : 5000; // nodes
       for (const auto &network : calibrated.networks)
-        if (n_negative(network.network) > 0 &&
+        if (can_be_unstable(network.network) &&
             network.network.nodes.cols() <= largest)
           if (const unsigned int n = n_unstable_motions(
                 NetworkBody<dim>(network.network),
@@ -64,7 +72,7 @@ namespace springfit
                 loading.fixed);
               n > 0)
             session.warn(
-              "The springs of the fit '" + network.fit +
+              "The springs of the fit '" + network.name +
               "' are unstable: " + std::to_string(n) +
               " of their motions release energy, so that their figures below "
               "are not those of an object at rest. Set 'Nonnegative = true' "
@@ -137,7 +145,9 @@ namespace springfit
                     sizeof(text),
                     "%-12s %-20s %-10s %8.3g %8.3g",
                     row.load_case.c_str(),
-                    row.fit.c_str(),
+                    (row.enrichment == "none" ? row.fit
+                                              : row.fit + '_' + row.enrichment)
+                      .c_str(),
                     row.kinematics.c_str(),
                     row.errors.e_rms_percent,
                     row.errors.e_max_percent);
@@ -202,7 +212,7 @@ namespace springfit
               const auto &equilibrium = response.equilibrium;
               const auto &network     = calibrated.networks[response.network];
               const std::string kind  = suffix(response.kinematics);
-              write(network.fit + kind,
+              write(network.name + kind,
                     r,
                     name,
                     equilibrium,
@@ -219,7 +229,7 @@ namespace springfit
         write_pvd(folder / (name + ".pvd"), files);
       for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
         write_springs_vtu<dim>(folder / ("springs_" +
-                                         calibrated.networks[n].fit + ".vtu"),
+                                         calibrated.networks[n].name + ".vtu"),
                                calibrated.networks[n].network,
                                spring_fields[n]);
     }
@@ -288,7 +298,7 @@ namespace springfit
     }
     check_completeness(results, session.output_directory());
     const std::string first =
-      calibrated.networks.front().fit +
+      calibrated.networks.front().name +
       suffix(results.front().networks.front().kinematics);
     session.print("\nResults are in " + session.output_directory().string() +
                   ": comparison.csv is the table above; open " + first +

@@ -90,13 +90,13 @@ namespace springfit
         {
           const auto &network = calibrated.networks[n];
           dealii::TimerOutput::Scope scope(session.timer(),
-                                           "Springs, " + network.fit);
+                                           "Springs, " + network.name);
           for (const Kinematics kinematics : all_kinematics)
             {
               const auto model = scene.statics.springs(discretization,
                                                        calibrated.element,
                                                        network.network,
-                                                       network.fit,
+                                                       network.name,
                                                        kinematics);
               for (auto &result : results)
                 {
