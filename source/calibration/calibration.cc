@@ -393,7 +393,7 @@ namespace springfit
                            "'" + word_of(method_words(), row.method) +
                              "' is not published for " + mesh_cells +
                              ", of which the mesh is made, but for " +
-                             join(cells, " and ") + '.',
+                             join(cells) + '.',
                            "For " + mesh_cells + " there are: " + join(fits) +
                              '.');
         }

@@ -136,8 +136,8 @@ namespace springfit
           if (!springs_alone(calibrated.networks[n].network) &&
               differs(*wanted.begin(), delivered[n]))
             session.warn(formatted(
-              "The network '%s' does not honour Poisson's ratio %.4g: it "
-              "delivers %.4g.",
+              "The network '%s' does not honour Poisson's ratio %.4g: that of "
+              "its isotropic part is %.4g.",
               calibrated.networks[n].name.c_str(),
               *wanted.begin(),
               delivered[n].poissons_ratio));

@@ -1,11 +1,14 @@
 #include <springfit/calibration/calibration.h>
 #include <springfit/calibration/distinct_cells.h>
 #include <springfit/reference/cell_matrices.h>
+#include <springfit/springs/gradients.h>
+#include <springfit/springs/volume.h>
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <map>
+#include <string>
+#include <vector>
 
 #include "meshes.h"
 
@@ -23,19 +26,141 @@ namespace
 
   template <int dim>
   std::vector<CalibratedNetwork>
-  calibrated(const Mesh<dim> &mesh, const MaterialTable &materials)
+  calibrated(const Mesh<dim> &mesh,
+             const MaterialTable &materials,
+             const std::string &entries = " set Methods = block, frobenius\n")
   {
     const auto folder =
       std::filesystem::temp_directory_path() / "springfit_calibration_test";
     Session session(MPI_COMM_SELF, folder);
-    const auto calibration = oracle::make_step<Calibration<dim>>(
-      "subsection Fit\n set Methods = block, frobenius\nend");
+    const auto calibration =
+      oracle::make_step<Calibration<dim>>("subsection Fit\n" + entries + "end");
     auto networks = calibration->calibrate(mesh,
                                            make_element<dim>(mesh.cell_kind),
                                            materials,
                                            session);
     std::filesystem::remove_all(folder);
     return networks;
+  }
+  /**
+   * Rotated, mirrored, renumbered and scaled copies of a cell, far apart, of
+   * two materials.
+   */
+  MeshDescription
+  copies_of(const Eigen::MatrixXd &points,
+            const CellKind kind,
+            oracle::Random &random)
+  {
+    MeshDescription description;
+    description.cell_kind = kind;
+    int n_copies          = 0;
+    for (const auto &symmetry : symmetries(kind))
+      {
+        // A mirror keeps the volume positive when the symmetry itself mirrors.
+        Eigen::MatrixXd image(points.rows(), points.cols());
+        for (int v = 0; v < points.cols(); ++v)
+          image.col(v) = points.col(symmetry[v]);
+        if (volume(image, kind) < 0.)
+          image.row(0) *= -1.;
+        const double scale = 1. + 0.1 * n_copies;
+        image = scale * (random.rotation(points.rows()) * image).eval();
+        for (int v = 0; v < points.cols(); ++v)
+          {
+            description.cells.push_back(description.vertices.size());
+            MeshPoint point{};
+            for (int d = 0; d < points.rows(); ++d)
+              point[d] = image(d, v) + (d == 0 ? 20. * n_copies : 0.);
+            description.vertices.push_back(point);
+          }
+        description.material_ids.push_back(n_copies % 2);
+        ++n_copies;
+      }
+    return description;
+  }
+
+  /** The tangent at rest of a network, node by node. */
+  Eigen::MatrixXd
+  tangent(const SpringNetwork &network)
+  {
+    std::vector<NodePair> springs;
+    for (std::size_t s = 0; s < network.i.size(); ++s)
+      springs.push_back({{network.i[s], network.j[s]}});
+    const Eigen::MatrixXd B = length_gradients(network.nodes, springs);
+    const Eigen::Map<const Eigen::VectorXd> k(network.stiffness.data(),
+                                              network.stiffness.size());
+    Eigen::MatrixXd K = B * k.asDiagonal() * B.transpose();
+    for (const auto &[a, b, stiffness] : network.couplings)
+      {
+        const Eigen::MatrixXd term =
+          stiffness * B.col(a) * B.col(b).transpose();
+        K += term + term.transpose();
+      }
+    const int dim = network.nodes.rows();
+    for (const auto &spring : network.volumes)
+      {
+        const int n = spring.nodes.size();
+        Eigen::MatrixXd x(dim, n);
+        for (int v = 0; v < n; ++v)
+          x.col(v) = network.nodes.col(spring.nodes[v]);
+        const CellKind kind = cell_kind(dim, n);
+        EXPECT_NEAR(volume(x, kind),
+                    spring.rest_volume,
+                    1e-14 * spring.rest_volume);
+        EXPECT_GT(spring.rest_volume, 0.);
+        const Eigen::VectorXd g = volume_gradient(x, kind);
+        for (int v = 0; v < n; ++v)
+          for (int w = 0; w < n; ++w)
+            K.block(dim * spring.nodes[v], dim * spring.nodes[w], dim, dim) +=
+              spring.stiffness * g.segment(dim * v, dim) *
+              g.segment(dim * w, dim).transpose();
+      }
+    return K;
+  }
+
+  /** Every cell of the mesh has the tangent of its own fit in each network. */
+  template <int dim>
+  void
+  expect_the_cells_own_fits(const Mesh<dim> &mesh,
+                            const MaterialTable &materials,
+                            const std::vector<CalibratedNetwork> &networks)
+  {
+    const auto element = make_element<dim>(mesh.cell_kind);
+    CellMatrices<dim> matrices(element);
+    for (const auto &network : networks)
+      {
+        const Eigen::MatrixXd K = tangent(network.network);
+        const Method method =
+          value_of(method_words(), network.fit, "Fit/Methods");
+        FitOptions options;
+        options.enrichment =
+          value_of(enrichment_words(), network.enrichment, "Fit/Enrichment");
+        for (const auto &cell : mesh.triangulation.active_cell_iterators())
+          {
+            const auto &material = materials.at(cell->material_id());
+            const auto problem =
+              make_fit_problem(cell_points<dim>(cell),
+                               mesh.cell_kind,
+                               matrices.stiffness(cell, material),
+                               isotropic_material(dim,
+                                                  material.lame.lambda,
+                                                  material.lame.mu,
+                                                  material.thickness));
+            const Eigen::MatrixXd expected =
+              problem.stiffness -
+              residual(problem, fit(problem, method, options));
+            const double size = expected.cwiseAbs().maxCoeff();
+            for (const unsigned int v : cell->vertex_indices())
+              for (const unsigned int w : cell->vertex_indices())
+                EXPECT_LT((K.block(dim * cell->vertex_index(v),
+                                   dim * cell->vertex_index(w),
+                                   dim,
+                                   dim) -
+                           expected.block(dim * v, dim * w, dim, dim))
+                            .cwiseAbs()
+                            .maxCoeff(),
+                          1e-9 * size);
+          }
+      }
   }
 } // namespace
 
@@ -65,67 +190,46 @@ TEST(Calibration, OfCongruentCellsEqualsFittingEachOne)
   oracle::Random random(3);
   const Eigen::MatrixXd points =
     oracle::random_cell(CellKind::hexahedron, random);
-  MeshDescription description;
-  std::vector<Eigen::MatrixXd> cells;
-  description.cell_kind = CellKind::hexahedron;
-  int n_copies          = 0;
-  for (const auto &symmetry : symmetries(CellKind::hexahedron))
-    {
-      // The images of one symmetry; a mirror keeps the volume positive when
-      // the symmetry itself mirrors.
-      Eigen::MatrixXd image(3, 8);
-      for (int v = 0; v < 8; ++v)
-        image.col(v) = points.col(symmetry[v]);
-      Eigen::Matrix3d edges;
-      edges << image.col(1) - image.col(0), image.col(2) - image.col(0),
-        image.col(4) - image.col(0);
-      if (edges.determinant() < 0.)
-        image.row(0) *= -1.;
-      const double scale = 1. + 0.1 * n_copies;
-      image              = scale * (random.rotation(3) * image).eval();
-      for (int v = 0; v < 8; ++v)
-        {
-          description.cells.push_back(description.vertices.size());
-          description.vertices.push_back(
-            {{image(0, v) + 20. * n_copies, image(1, v), image(2, v)}});
-        }
-      description.material_ids.push_back(n_copies % 2);
-      ++n_copies;
-    }
-  const auto mesh      = build_mesh<3>(description);
+  const auto mesh =
+    build_mesh<3>(copies_of(points, CellKind::hexahedron, random));
   const auto materials = two_materials();
   EXPECT_EQ(find_distinct_cells(*mesh).distinct.size(), 2u);
 
-  const auto networks = calibrated(*mesh, materials);
-  const auto element  = make_element<3>(CellKind::hexahedron);
-  CellMatrices<3> matrices(element);
-  for (const auto &network : networks)
+  expect_the_cells_own_fits(*mesh, materials, calibrated(*mesh, materials));
+}
+
+TEST(Calibration, OfCongruentCellsWithCouplingsAndVolumesToo)
+{
+  oracle::Random random(5);
+  const auto tetrahedra =
+    build_mesh<3>(copies_of(oracle::random_cell(CellKind::tetrahedron, random),
+                            CellKind::tetrahedron,
+                            random));
+  const auto of_tetrahedra =
+    calibrated(*tetrahedra,
+               two_materials(),
+               " set Methods = lloyd, golec\n set Enrichment = none, volume\n");
+  ASSERT_EQ(of_tetrahedra.size(), 2u);
+  EXPECT_EQ(of_tetrahedra[0].name, "lloyd");
+  EXPECT_EQ(of_tetrahedra[1].name, "golec_volume");
+  EXPECT_EQ(of_tetrahedra[1].cells.size(), 2u);
+  EXPECT_EQ(of_tetrahedra[1].network.volumes.size(), 24u);
+  expect_the_cells_own_fits(*tetrahedra, two_materials(), of_tetrahedra);
+
+  for (const CellKind kind : {CellKind::triangle, CellKind::quadrilateral})
     {
-      std::map<std::pair<unsigned int, unsigned int>, double> stiffness;
-      for (std::size_t s = 0; s < network.network.stiffness.size(); ++s)
-        stiffness[{network.network.i[s], network.network.j[s]}] =
-          network.network.stiffness[s];
-      for (const auto &cell : mesh->triangulation.active_cell_iterators())
-        {
-          const auto problem = make_fit_problem(
-            cell_points<3>(cell),
-            CellKind::hexahedron,
-            matrices.stiffness(cell, materials.at(cell->material_id())),
-            {});
-          const auto result =
-            fit(problem,
-                value_of(method_words(), network.fit, "Fit/Methods"),
-                FitOptions());
-          const double size = result.k.cwiseAbs().maxCoeff();
-          for (std::size_t s = 0; s < problem.springs.size(); ++s)
-            {
-              const auto a = cell->vertex_index(problem.springs[s][0]);
-              const auto b = cell->vertex_index(problem.springs[s][1]);
-              EXPECT_NEAR((stiffness[{std::min(a, b), std::max(a, b)}]),
-                          result.k[s],
-                          1e-9 * size);
-            }
-        }
+      const auto plane = build_mesh<2>(
+        copies_of(oracle::random_cell(kind, random), kind, random));
+      const auto networks =
+        calibrated(*plane,
+                   two_materials(),
+                   (kind == CellKind::triangle ? " set Methods = delingette\n"
+                                               : " set Methods = baudet\n") +
+                     std::string(" set Enrichment = coupling, none\n"));
+      ASSERT_EQ(networks.size(), 2u);
+      EXPECT_FALSE(networks[0].network.couplings.empty());
+      EXPECT_TRUE(networks[1].network.couplings.empty());
+      expect_the_cells_own_fits(*plane, two_materials(), networks);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <springfit/output/csv.h>
 #include <springfit/response/rigid_motion.h>
 #include <springfit/springs/cell_topology.h>
+#include <springfit/springs/volume.h>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <sstream>
 
 #include "../unit/cells.h"
@@ -107,6 +109,44 @@ TEST(HomogenisedTensor, ObeysCauchysRelations)
           young_poisson_plane_stress(part.lambda, part.mu).poissons_ratio,
           1. / 3.,
           1e-12);
+    }
+}
+
+TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAndVolumes)
+{
+  oracle::Random random(10);
+  for (const CellKind kind : oracle::all_kinds)
+    {
+      const int dim                = dimension(kind);
+      const Eigen::MatrixXd points = oracle::random_cell(kind, random);
+      const auto &pairs            = node_pairs(kind);
+      std::vector<unsigned int> vertices(points.cols());
+      std::iota(vertices.begin(), vertices.end(), 0);
+      const double V0 = volume(points, kind);
+      NetworkBuilder builder(points);
+      builder.add_springs(vertices, pairs, Eigen::VectorXd::Zero(pairs.size()));
+      builder.add_couplings(vertices, pairs, {{0, 1, 3.}, {0, 2, -1.}});
+      builder.add_volume(vertices, 5., V0);
+      const auto network = builder.build();
+
+      // The second difference of the energy under x -> x + t G x.
+      const Eigen::MatrixXd G = random.matrix(dim, dim);
+      const auto energy       = [&](const double t) {
+        const Eigen::MatrixXd x = points + t * G * points;
+        const auto elongation   = [&](const unsigned int s) {
+          return (x.col(pairs[s][1]) - x.col(pairs[s][0])).norm() -
+                 network.rest_length[s];
+        };
+        const double growth = volume(x, kind) - V0;
+        return 3. * elongation(0) * elongation(1) -
+               elongation(0) * elongation(2) + 5. * growth * growth / 2.;
+      };
+      const double h           = 1e-4;
+      const double curvature   = (energy(h) + energy(-h)) / (h * h);
+      const auto C             = homogenised_tensor(network, 0.7);
+      const Eigen::MatrixXd Gt = G.transpose();
+      const Eigen::Map<const Eigen::VectorXd> g(Gt.data(), dim * dim);
+      EXPECT_NEAR(0.7 * g.dot(C * g), curvature, 1e-5);
     }
 }
 
