@@ -12,17 +12,6 @@ namespace springfit
 {
   namespace
   {
-    struct Interval
-    {
-      double lowest, highest;
-
-      double
-      length() const
-      {
-        return highest - lowest;
-      }
-    };
-
     template <int dim>
     Interval
     extent_along(const Eigen::VectorXd &axis,
@@ -39,6 +28,22 @@ namespace springfit
         }
       return extent;
     }
+
+    /** Where to measure: see delivered_constants. */
+    template <int dim>
+    Interval
+    measured_part(const Mesh<dim> &mesh,
+                  const Eigen::VectorXd &axis,
+                  const Interval &object)
+    {
+      constexpr double parallel = 1. - 1e-9; // to x, either way
+      if (mesh.straight_part && std::abs(axis[0]) > parallel)
+        return axis[0] > 0. ? *mesh.straight_part
+                            : Interval{-mesh.straight_part->highest,
+                                       -mesh.straight_part->lowest};
+      return {object.lowest + object.length() / 3.,
+              object.highest - object.length() / 3.};
+    }
   } // namespace
 
   template <int dim>
@@ -52,8 +57,7 @@ namespace springfit
   {
     const Interval object =
       extent_along(axis, mesh.triangulation.get_vertices());
-    const Interval middle = {object.lowest + object.length() / 3.,
-                             object.highest - object.length() / 3.};
+    const Interval part = measured_part(mesh, axis, object);
 
     dealii::FEValues<dim> values(*element.mapping,
                                  *element.scalar,
@@ -67,8 +71,8 @@ namespace springfit
         const double share = slab_share(cell_points<dim>(cell),
                                         mesh.cell_kind,
                                         axis,
-                                        middle.lowest,
-                                        middle.highest);
+                                        part.lowest,
+                                        part.highest);
         if (share == 0.)
           continue;
         values.reinit(cell);
@@ -89,7 +93,7 @@ namespace springfit
     const double axial   = axis.dot(gradient * axis);
     const double lateral = (gradient.trace() - axial) / (dim - 1);
     const double force   = axis.dot(forces.rowwise().sum());
-    const double area    = thickness * volume / middle.length();
+    const double area    = thickness * volume / part.length();
     const double strained =
       displacement.colwise().norm().maxCoeff() / object.length();
     if (std::abs(axial) <= 1e-9 * strained)

@@ -1,4 +1,5 @@
 #include <springfit/mesh/facets.h>
+#include <springfit/mesh/flat_sides.h>
 #include <springfit/mesh/gmsh_model.h>
 #include <springfit/mesh/objects.h>
 #include <springfit/mesh/sizes.h>
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 // The boundary ids of the box, of which a rectangle has the first four:
@@ -87,15 +87,12 @@ namespace springfit
       return read_gmsh_cells("The box", request.dim).mesh;
     }
 
-    // gmsh's vertices lie on the sides up to rounding error only.
     void
     snap_to_sides(MeshDescription &mesh, const std::vector<double> &size)
     {
-      for (MeshPoint &vertex : mesh.vertices)
-        for (unsigned int d = 0; d < size.size(); ++d)
-          for (const double side : {0., size[d]})
-            if (std::abs(vertex[d] - side) < 1e-9 * size[d])
-              vertex[d] = side;
+      for (unsigned int d = 0; d < size.size(); ++d)
+        for (const double side : {0., size[d]})
+          snap_to_plane(mesh, d, side, size[d]);
     }
 
     unsigned int
@@ -104,9 +101,7 @@ namespace springfit
     {
       for (unsigned int d = 0; d < size.size(); ++d)
         for (unsigned int end = 0; end < 2; ++end)
-          if (std::all_of(points.begin(), points.end(), [&](const auto &p) {
-                return p[d] == end * size[d];
-              }))
+          if (lie_in_plane(points, d, end * size[d]))
             return 2 * d + end;
       throw std::logic_error("a boundary side of a box lies inside");
     }

@@ -80,9 +80,10 @@ namespace springfit
   std::unique_ptr<Mesh<dim>>
   build_mesh(const MeshDescription &description, const unsigned int n_ranks)
   {
-    auto mesh       = std::make_unique<Mesh<dim>>();
-    mesh->cell_kind = description.cell_kind;
-    mesh->warnings  = description.warnings;
+    auto mesh           = std::make_unique<Mesh<dim>>();
+    mesh->cell_kind     = description.cell_kind;
+    mesh->warnings      = description.warnings;
+    mesh->straight_part = description.straight_part;
     mesh->boundary_names.insert(description.boundary_names.begin(),
                                 description.boundary_names.end());
     mesh->material_names.insert(description.material_names.begin(),

@@ -1,12 +1,12 @@
 #include <springfit/core/error.h>
 #include <springfit/mesh/facets.h>
+#include <springfit/mesh/flat_sides.h>
 #include <springfit/mesh/gmsh_model.h>
 #include <springfit/mesh/objects.h>
 #include <springfit/mesh/sizes.h>
 
 #include <gmsh.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -179,24 +179,12 @@ namespace springfit
       return read_gmsh_cells("The cylinder", 3).mesh;
     }
 
-    void
-    snap_to_ends(MeshDescription &mesh, const double height)
-    {
-      for (MeshPoint &vertex : mesh.vertices)
-        for (const double end : {0., height})
-          if (std::abs(vertex[0] - end) < 1e-9 * height)
-            vertex[0] = end;
-    }
-
     unsigned int
     side_of(const std::vector<MeshPoint> &points, const double height)
     {
-      const auto lie_at = [&](const double x) {
-        return std::all_of(points.begin(), points.end(), [&](const auto &p) {
-          return p[0] == x;
-        });
-      };
-      return lie_at(0.) ? 0 : lie_at(height) ? 1 : 2;
+      return lie_in_plane(points, 0, 0.)       ? 0
+             : lie_in_plane(points, 0, height) ? 1
+                                               : 2;
     }
   } // namespace
 
@@ -204,12 +192,7 @@ namespace springfit
   void
   check_cylinder(const ObjectRequest &request)
   {
-    if (request.dim != 3)
-      throw EntryError("Geometry/Object",
-                       "a cylinder is an object of dimension 3, the scene has "
-                       "dimension " +
-                         std::to_string(request.dim) + ".",
-                       "Set Dimension to 3, or take a box.");
+    check_dimension(request, 3, "a cylinder");
     check_sizes(request);
     if (std::abs(request.size[1] - request.size[2]) > 1e-9 * request.size[1])
       throw EntryError("Geometry/Size",
@@ -225,7 +208,8 @@ namespace springfit
                              ? cylinder_of_tetrahedra(request)
                              : layers_of_hexahedra(request);
     mesh.name            = "The cylinder";
-    snap_to_ends(mesh, request.size[0]);
+    for (const double end : {0., request.size[0]})
+      snap_to_plane(mesh, 0, end, request.size[0]);
     label_boundary(mesh, [&](const std::vector<MeshPoint> &points) {
       return side_of(points, request.size[0]);
     });

@@ -124,11 +124,7 @@ namespace springfit
                               request.cell_size[0] / request.scale);
       gmsh::option::setNumber("Mesh.ElementOrder", 1);
       if (request.cell_kind == CellKind::quadrilateral)
-        {
-          gmsh::option::setNumber("Mesh.RecombineAll", 1);
-          // Blossom, and a subdivision that leaves no triangle.
-          gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 3);
-        }
+        make_gmsh_quadrilaterals();
       mesh_gmsh_model(name_of(request), request.dim);
     }
 

@@ -6,8 +6,10 @@
 #include <springfit/mesh/mesh_checks.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/patterns.h>
 
 #include <string>
+#include <vector>
 
 namespace springfit
 {
@@ -23,11 +25,32 @@ namespace springfit
     }
 
     std::string
+    text_of(const std::vector<double> &size)
+    {
+      return dealii::Patterns::Tools::to_string(size);
+    }
+
+    std::string
+    help_on_size(const int dim)
+    {
+      std::string text =
+        std::string("Extents of the object along x") +
+        (dim == 2 ? " and y" : ", y and z") +
+        ", separated by commas; of a cylinder: height, diameter, diameter. "
+        "Not for a file. If empty, the object's own";
+      for (const Object &object : objects())
+        if (const auto own = object.default_size.find(dim);
+            own != object.default_size.end())
+          text += "; " + object.name + ": " + text_of(own->second);
+      return text + ". In m.";
+    }
+
+    std::string
     help_on_cells()
     {
       return "The cells: " + join(words_of(cell_kind_words())) +
-             ". Boxes and cylinders have structured quadrilaterals and "
-             "hexahedra; gmsh makes the others. A mesh file decides for "
+             ". Boxes, cylinders and specimens have structured "
+             "quadrilaterals and hexahedra; gmsh makes the others. A mesh file decides for "
              "itself; a geometry file can have all but hexahedra. No unit.";
     }
   } // namespace
@@ -38,19 +61,19 @@ namespace springfit
   {
     add_parameter("Object", object_, help_on_objects());
     add_parameter("Cells", cells_, help_on_cells());
-    add_parameter("Size",
-                  size_,
-                  std::string("Extents of the object along x") +
-                    (dim == 2 ? " and y" : ", y and z") +
-                    ", separated by commas; of a cylinder: height, diameter, "
-                    "diameter. Not for a file. In m.");
-    add_parameter("Cell size",
-                  cell_size_,
-                  "Edge length of a cell. Quadrilaterals and hexahedra may "
-                  "have one for each direction, separated by commas (of a "
-                  "cylinder: along its axis, around it, along its radius). "
-                  "The largest edge that a geometry file is meshed with; a "
-                  "mesh file has its own. In m.");
+    add_parameter("Size", size_, help_on_size(dim));
+    add_parameter(
+      "Cell size",
+      cell_size_,
+      "Edge length of a cell. Quadrilaterals and hexahedra may "
+      "have one for each direction, separated by commas (of a "
+      "cylinder: along its axis, around it, along its radius; of "
+      "a specimen, whose width varies: at half the grip's width; "
+      "not of tissue). At most a quarter of a specimen's "
+      "transition, the width of its straight part and, for "
+      "tetrahedra, its thickness; the radius of a hole; a quarter "
+      "of the tissue's smaller extent. The largest edge that a geometry file is meshed with; a "
+      "mesh file has its own. In m.");
     add_parameter("File",
                   file_,
                   "Mesh file (.msh 1 to 4, .vtk, .inp, .unv, .mesh, .bdf) or "
@@ -59,7 +82,21 @@ namespace springfit
     add_parameter("Scale",
                   scale_,
                   "Length of a unit of File, as 0.001 for a file in mm. In m.");
-    this->parse_parameters_call_back.connect([this]() { check(); });
+    this->parse_parameters_call_back.connect([this]() {
+      complete();
+      check();
+    });
+  }
+
+
+  template <int dim>
+  void
+  Geometry<dim>::complete()
+  {
+    // Through the entry, so that it is among the values in force.
+    const auto &sizes = find_object(object_).default_size;
+    if (const auto own = sizes.find(dim); size_.empty() && own != sizes.end())
+      this->prm.set("Size", text_of(own->second));
   }
 
 

@@ -203,6 +203,34 @@ namespace springfit
   }
 
 
+  int
+  add_gmsh_spline(const int first,
+                  const std::vector<MeshPoint> &between,
+                  const int last)
+  {
+    gmsh::vectorpair helpers;
+    std::vector<int> points = {first};
+    for (const MeshPoint &p : between)
+      {
+        points.push_back(gmsh::model::occ::addPoint(p[0], p[1], p[2]));
+        helpers.emplace_back(0, points.back());
+      }
+    points.push_back(last);
+    const int spline = gmsh::model::occ::addSpline(points);
+    gmsh::model::occ::remove(helpers); // or they would become nodes
+    return spline;
+  }
+
+
+  void
+  make_gmsh_quadrilaterals()
+  {
+    gmsh::option::setNumber("Mesh.RecombineAll", 1);
+    // Blossom, and a subdivision that leaves no triangle.
+    gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 3);
+  }
+
+
   void
   mesh_gmsh_model(const std::string &name, const int dim)
   {

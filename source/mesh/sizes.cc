@@ -8,16 +8,28 @@
 
 namespace springfit
 {
-  namespace
+  std::string
+  text_of(const double value)
   {
-    std::string
-    text_of(const double value)
-    {
-      std::ostringstream text;
-      text << value;
-      return text.str();
-    }
-  } // namespace
+    std::ostringstream text;
+    text << value;
+    return text.str();
+  }
+
+
+  void
+  check_dimension(const ObjectRequest &request,
+                  const int dim,
+                  const std::string &object)
+  {
+    if (request.dim != dim)
+      throw EntryError("Geometry/Object",
+                       object + " is an object of dimension " +
+                         std::to_string(dim) + ", the scene has dimension " +
+                         std::to_string(request.dim) + ".",
+                       "Set Dimension to " + std::to_string(dim) +
+                         ", or take a box.");
+  }
 
 
   void

@@ -1,5 +1,6 @@
 #include <springfit/comparison/delivered_constants.h>
 #include <springfit/comparison/errors.h>
+#include <springfit/mesh/objects.h>
 #include <springfit/response/loads.h>
 #include <springfit/response/network_body.h>
 #include <springfit/response/region.h>
@@ -229,6 +230,75 @@ TEST(DeliveredConstants, AreNothingWhereNothingIsStrained)
   u(0, 3) = 1.; // a corner, outside the middle third
   EXPECT_FALSE(
     delivered_constants(*mesh, element, Eigen::Vector2d::UnitX(), u, u, 1.));
+}
+
+namespace
+{
+  /**
+   * A specimen whose straight part is strained uniformly. Of structured cells,
+   * which have vertices at the part's ends, the rest is not strained axially.
+   */
+  template <int dim>
+  void
+  pull_a_specimen(const CellKind kind, const Eigen::VectorXd &axis)
+  {
+    const double B = 0.01, E = 1e4, nu = 0.3, strain = 0.02;
+    const double thickness = dim == 2 ? 0.5 : 1.;
+    ObjectRequest request{dim, kind, {16. * B, 3. * B}, {0.006}, "", 1.};
+    if (dim == 3)
+      request.size.push_back(B);
+    const auto mesh =
+      build_mesh<dim>(find_object("specimen").describe(request));
+    const auto element = make_element<dim>(kind);
+
+    const Eigen::MatrixXd nodes = nodes_of(*mesh);
+    Eigen::MatrixXd u           = -nu * strain * nodes;
+    for (Eigen::Index v = 0; v < nodes.cols(); ++v)
+      u(0, v) = is_simplex(kind)
+                  ? strain * nodes(0, v)
+                  : strain * (std::clamp(nodes(0, v), 7. * B, 9. * B) - 7. * B);
+    const double area      = B * (dim == 2 ? thickness : B);
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(dim, u.cols());
+    forces.col(0)          = E * area * strain * axis;
+
+    const auto delivered =
+      delivered_constants(*mesh, element, axis, u, forces, thickness);
+    ASSERT_TRUE(delivered);
+    EXPECT_NEAR(delivered->youngs_modulus, E, 1e-9 * E);
+    EXPECT_NEAR(delivered->poissons_ratio, nu, 1e-9);
+  }
+} // namespace
+
+TEST(DeliveredConstants, OfASpecimenAreThoseOfItsStraightPart)
+{
+  for (const double way : {1., -1.})
+    {
+      const Eigen::Vector2d x2(way, 0.);
+      pull_a_specimen<2>(CellKind::triangle, x2);
+      pull_a_specimen<2>(CellKind::quadrilateral, x2);
+      const Eigen::Vector3d x3(way, 0., 0.);
+      pull_a_specimen<3>(CellKind::tetrahedron, x3);
+      pull_a_specimen<3>(CellKind::hexahedron, x3);
+    }
+}
+
+TEST(DeliveredConstants, AcrossASpecimenAreThoseOfTheMiddleThird)
+{
+  // Pulled along y, 0.01 m of 0.03 m lie in the middle: the gauge's width, so
+  // that the area there is the length times the thickness.
+  const auto mesh = build_mesh<2>(
+    find_object("specimen")
+      .describe({2, CellKind::triangle, {0.16, 0.03}, {0.005}, "", 1.}));
+  const auto element  = make_element<2>(mesh->cell_kind);
+  const double strain = 0.01;
+  Eigen::MatrixXd u   = Eigen::MatrixXd(strain * nodes_of(*mesh));
+  u.row(0) *= -0.2;
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, u.cols());
+  forces(1, 0)           = 1e4 * strain * 0.16 * 0.5;
+  const auto delivered   = delivered_constants(
+    *mesh, element, Eigen::Vector2d::UnitY(), u, forces, 0.5);
+  EXPECT_NEAR(delivered->youngs_modulus, 1e4, 1e-5);
+  EXPECT_NEAR(delivered->poissons_ratio, 0.2, 1e-9);
 }
 
 TEST(Loads, BalanceTheTractionOfOnePascal)

@@ -16,12 +16,14 @@ namespace springfit
    * force over the cross section's area and the mean axial strain, Poisson's
    * ratio the negative ratio of the mean lateral and the mean axial strain.
    *
-   * Strains and the area are means over the middle third of the object along
-   * @p axis (a unit vector); a cell counts by the part of its volume that lies
-   * in the middle third.
+   * Strains and the area are means over a part of the object along @p axis (a
+   * unit vector): over the mesh's straight part if it has one and the axis is
+   * the straight part's, x, else over the middle third. A cell counts by the
+   * part of its volume that lies there. (Natsupakpong and Cavusoglu 2010
+   * measure on the straight part of their tensile specimen, Table 4.)
    *
-   * Nothing where there is nothing to measure: no material in the middle third,
-   * or none that is strained.
+   * Nothing where there is nothing to measure: no material in that part, or
+   * none that is strained.
    *
    * @param displacement m, dim x n_nodes
    * @param forces       N, dim x n_nodes, those that pull

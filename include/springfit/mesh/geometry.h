@@ -53,12 +53,16 @@ namespace springfit
            const std::filesystem::path &folder_of_prm) const;
 
   private:
+    /** Where no Size is given, set the entry to the object's own. */
+    void
+    complete();
+
     ObjectRequest
     request(const std::filesystem::path &folder_of_prm) const;
 
-    std::string object_            = "box";
-    std::string cells_             = dim == 2 ? "quadrilaterals" : "hexahedra";
-    std::vector<double> size_      = std::vector<double>(dim, 0.02);
+    std::string object_ = "box";
+    std::string cells_  = dim == 2 ? "quadrilaterals" : "hexahedra";
+    std::vector<double> size_;
     std::vector<double> cell_size_ = {0.0025};
     std::string file_;
     double scale_ = 1.;

@@ -31,6 +31,18 @@ namespace springfit
   set_gmsh_cell_size(double cell_size);
 
   /**
+   * A spline with continuous second derivatives (C2) through points; @p first
+   * and @p last are points of gmsh's current OpenCASCADE model. Returns its
+   * number.
+   */
+  int
+  add_gmsh_spline(int first, const std::vector<MeshPoint> &between, int last);
+
+  /** gmsh shall fill surfaces with quadrilaterals only. */
+  void
+  make_gmsh_quadrilaterals();
+
+  /**
    * Mesh the geometry of gmsh's current model. @p name begins the message.
    *
    * @throws InputError with gmsh's complaint.

@@ -2,10 +2,12 @@
 #define springfit_mesh_mesh_h
 
 #include <springfit/core/cell_kind.h>
+#include <springfit/mesh/interval.h>
 
 #include <deal.II/grid/tria.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,12 @@ namespace springfit
 
     /** What a user should know about the mesh although it can be used. */
     std::vector<std::string> warnings;
+
+    /**
+     * Where along x the cross section is constant by design, so that a tensile
+     * test measures there; of few objects only.
+     */
+    std::optional<Interval> straight_part;
   };
 } // namespace springfit
 

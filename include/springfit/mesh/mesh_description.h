@@ -2,6 +2,7 @@
 #define springfit_mesh_mesh_description_h
 
 #include <springfit/core/cell_kind.h>
+#include <springfit/mesh/interval.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/map.hpp>
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +73,12 @@ namespace springfit
 
     std::vector<std::string> warnings;
 
+    /**
+     * Where along x the cross section is constant by design, so that a tensile
+     * test measures there.
+     */
+    std::optional<Interval> straight_part;
+
     unsigned int
     n_cells() const
     {
@@ -96,6 +104,15 @@ namespace springfit
     {
       archive &name &cell_kind &vertices &cells &material_ids &cell_numbers
         &group_begins &facets &boundary_names &material_names &warnings;
+
+      bool has_straight_part = straight_part.has_value();
+      archive &has_straight_part;
+      if (has_straight_part)
+        {
+          Interval interval = straight_part.value_or(Interval());
+          archive &interval;
+          straight_part = interval;
+        }
     }
   };
 } // namespace springfit

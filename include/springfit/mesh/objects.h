@@ -4,6 +4,7 @@
 #include <springfit/mesh/mesh_description.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,12 @@ namespace springfit
 
     /** A phrase for the entry's text: what it is, and its boundary ids. */
     std::string help;
+
+    /**
+     * The Size where none is given, m, for each dimension that the object can
+     * have; empty if it has no use for a size.
+     */
+    std::map<int, std::vector<double>> default_size;
 
     /** @throws EntryError when the request does not suit the object. */
     void (*check)(const ObjectRequest &request);
@@ -78,6 +85,24 @@ namespace springfit
 
   MeshDescription
   describe_cylinder(const ObjectRequest &request);
+
+  void
+  check_hollow_cylinder(const ObjectRequest &request);
+
+  MeshDescription
+  describe_hollow_cylinder(const ObjectRequest &request);
+
+  void
+  check_tissue(const ObjectRequest &request);
+
+  MeshDescription
+  describe_tissue(const ObjectRequest &request);
+
+  void
+  check_specimen(const ObjectRequest &request);
+
+  MeshDescription
+  describe_specimen(const ObjectRequest &request);
 
   void
   check_file(const ObjectRequest &request);

@@ -8,6 +8,19 @@
 
 namespace springfit
 {
+  /** A number as a message shows it: six digits. */
+  std::string
+  text_of(double value);
+
+  /**
+   * @throws EntryError when the scene's dimension is not @p dim; @p object is
+   * "a cylinder".
+   */
+  void
+  check_dimension(const ObjectRequest &request,
+                  int dim,
+                  const std::string &object);
+
   /** @throws EntryError when a length is not a finite positive number. */
   void
   check_lengths(const std::vector<double> &lengths, const std::string &entry);
