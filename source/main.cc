@@ -158,6 +158,7 @@ namespace
     dealii::ParameterAcceptor::parse_all_parameters();
     top_level.check();
     const auto study = value_of(study_words(), top_level.study_word, "Study");
+    check_study(study, scene);
     run_collectively(communicator,
                      [&]() { scene.geometry.check_files(scene.folder); });
     if (command_line.validate_only)

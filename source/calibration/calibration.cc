@@ -195,10 +195,7 @@ namespace springfit
             const auto &material = materials.at(distinct.material);
             const auto start     = std::chrono::steady_clock::now();
             const auto problem =
-              make_fit_problem(cell_points<dim>(cell),
-                               kind,
-                               cell_matrices.stiffness(cell, material),
-                               material_of<dim>(material));
+              cell_problem<dim>(cell, kind, cell_matrices, material);
             FitResult result;
             try
               {
@@ -281,6 +278,20 @@ namespace springfit
   } // namespace
 
   template <int dim>
+  FitProblem
+  cell_problem(
+    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    const CellKind kind,
+    CellMatrices<dim> &cell_matrices,
+    const CellMaterial &material)
+  {
+    return make_fit_problem(cell_points<dim>(cell),
+                            kind,
+                            cell_matrices.stiffness(cell, material),
+                            material_of<dim>(material));
+  }
+
+  template <int dim>
   Calibration<dim>::Calibration() : dealii::ParameterAcceptor("Fit")
   {
     add_parameter("Methods",
@@ -316,6 +327,15 @@ namespace springfit
       options_.engine = value_of(engine_words(), engine_word_, "Fit/Engine");
       check();
     });
+  }
+
+  template <int dim>
+  FitOptions
+  Calibration<dim>::options(const Row &row) const
+  {
+    FitOptions options = options_;
+    options.enrichment = row.enrichment;
+    return options;
   }
 
   template <int dim>
@@ -436,15 +456,13 @@ namespace springfit
         dealii::TimerOutput::Scope scope(session.timer(),
                                          "Calibration, " + network.name);
         dealii::Timer timer(session.communicator());
-        FitOptions options = options_;
-        options.enrichment = enrichment;
-        const auto fits    = fit_distinct(cells,
+        const auto fits = fit_distinct(cells,
                                        iterators,
                                        mesh.cell_kind,
                                        element,
                                        materials,
                                        method,
-                                       options,
+                                       options({method, enrichment}),
                                        network.name,
                                        session);
         network.network =
@@ -458,7 +476,7 @@ namespace springfit
         network.seconds = search_timer.wall_time() + timer.wall_time();
 
         const unsigned int n = n_negative(network.network);
-        if (options.nonnegative && is_published(method) && n > 0)
+        if (options_.nonnegative && is_published(method) && n > 0)
           session.warn("Of the springs of '" + network.name + "' " +
                        std::to_string(n) +
                        " are negative: 'Nonnegative' does not change the "
@@ -468,6 +486,16 @@ namespace springfit
     return networks;
   }
 
+  template FitProblem
+  cell_problem<2>(const dealii::Triangulation<2>::active_cell_iterator &,
+                  CellKind,
+                  CellMatrices<2> &,
+                  const CellMaterial &);
+  template FitProblem
+  cell_problem<3>(const dealii::Triangulation<3>::active_cell_iterator &,
+                  CellKind,
+                  CellMatrices<3> &,
+                  const CellMaterial &);
   template class Calibration<2>;
   template class Calibration<3>;
 } // namespace springfit

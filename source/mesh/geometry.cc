@@ -36,8 +36,8 @@ namespace springfit
       std::string text =
         std::string("Extents of the object along x") +
         (dim == 2 ? " and y" : ", y and z") +
-        ", separated by commas; of a cylinder: height, diameter, diameter. "
-        "Not for a file. If empty, the object's own";
+        ", separated by commas; of a cylinder: height, diameter, diameter; "
+        "of a cell: the length of its edges. Not for a file. If empty, the object's own";
       for (const Object &object : objects())
         if (const auto own = object.default_size.find(dim);
             own != object.default_size.end())
@@ -73,7 +73,7 @@ namespace springfit
       "transition, the width of its straight part and, for "
       "tetrahedra, its thickness; the radius of a hole; a quarter "
       "of the tissue's smaller extent. The largest edge that a geometry file is meshed with; a "
-      "mesh file has its own. In m.");
+      "mesh file has its own. Not for a cell. In m.");
     add_parameter("File",
                   file_,
                   "Mesh file (.msh 1 to 4, .vtk, .inp, .unv, .mesh, .bdf) or "

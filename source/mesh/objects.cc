@@ -50,6 +50,13 @@ namespace springfit
        &check_specimen,
        nullptr,
        &describe_specimen},
+      {"cell",
+       "one regular cell (equilateral triangle, square, regular tetrahedron, "
+       "cube) with an edge from the origin along x; boundary 0",
+       {{2, {0.02}}, {3, {0.02}}},
+       &check_single_cell,
+       nullptr,
+       &describe_single_cell},
       {"file",
        "the mesh or the geometry in File; its physical groups are its "
        "boundaries and materials",

@@ -12,7 +12,7 @@ namespace springfit
     if (!std::filesystem::exists(folder / "used.prm"))
       return;
     const std::regex results(
-      "(comparison|fit|nodes|(springs|couplings|volumes)_.*)\\.csv|"
+      "(comparison|fit|nodes|sweep|(springs|couplings|volumes)_.*)\\.csv|"
       ".*\\.vtu|.*\\.pvd");
     std::vector<std::filesystem::path> files;
     for (const auto &entry : std::filesystem::directory_iterator(folder))

@@ -69,6 +69,20 @@ namespace springfit
   }
 
   template <int dim>
+  Eigen::MatrixXd
+  CellMatrices<dim>::integrated_gradients(const Cell &cell)
+  {
+    values_.reinit(cell);
+    Eigen::MatrixXd integrals =
+      Eigen::MatrixXd::Zero(dim, values_.dofs_per_cell);
+    for (const unsigned int q : values_.quadrature_point_indices())
+      for (const unsigned int v : values_.dof_indices())
+        for (int d = 0; d < dim; ++d)
+          integrals(d, v) += values_.JxW(q) * values_.shape_grad(v, q)[d];
+    return integrals;
+  }
+
+  template <int dim>
   double
   CellMatrices<dim>::volume(const Cell &cell)
   {

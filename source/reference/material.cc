@@ -143,21 +143,30 @@ namespace springfit
                            text_of(value) + " is not positive.",
                            "Give a positive number.");
 
-    const bool plane_stress = plane_state() == PlaneState::stress;
-    const bool half_allowed = dim == 2 && plane_stress;
     for (const auto &[name, value] : poissons_ratio_.by_name)
-      if (!(value > -1. && (value < 0.5 || (half_allowed && value == 0.5))))
-        throw EntryError(poissons_ratio_.entry,
-                         text_of(value) + " is out of range.",
-                         std::string("Give a number above -1 and ") +
-                           (half_allowed ? "at most 0.5."
-                                         : "below 0.5 (0.5 itself is allowed "
-                                           "in plane stress only)."));
+      check_poissons_ratio(value, poissons_ratio_.entry);
 
     if (!(thickness_ > 0. && std::isfinite(thickness_)))
       throw EntryError("Material/Thickness",
                        text_of(thickness_) + " is not positive and finite.",
                        "Give a thickness in m.");
+  }
+
+  template <int dim>
+  void
+  Material<dim>::check_poissons_ratio(const double ratio,
+                                      const std::string &entry) const
+  {
+    // The word is checked in 3-d as well.
+    const bool plane_stress = plane_state() == PlaneState::stress;
+    const bool half_allowed = dim == 2 && plane_stress;
+    if (!(ratio > -1. && (ratio < 0.5 || (half_allowed && ratio == 0.5))))
+      throw EntryError(entry,
+                       text_of(ratio) + " is out of range.",
+                       std::string("Give a number above -1 and ") +
+                         (half_allowed ? "at most 0.5."
+                                       : "below 0.5 (0.5 itself is allowed "
+                                         "in plane stress only)."));
   }
 
   template <int dim>
@@ -201,18 +210,23 @@ namespace springfit
         const auto id = cell->material_id();
         if (table.count(id) > 0)
           continue;
-        const ElasticConstants constants = {value(youngs_modulus_, mesh, id),
-                                            value(poissons_ratio_, mesh, id),
-                                            value(density_, mesh, id)};
-        const bool plane_stress =
-          dim == 2 && plane_state() == PlaneState::stress;
-        table[id] = {constants,
-                     plane_stress ? lame_constants_plane_stress(constants)
-                                  : lame_constants(constants),
-                     dim == 2 ? thickness_ : 1.,
-                     plane_state()};
+        table[id] = with_constants({value(youngs_modulus_, mesh, id),
+                                    value(poissons_ratio_, mesh, id),
+                                    value(density_, mesh, id)});
       }
     return table;
+  }
+
+  template <int dim>
+  CellMaterial
+  Material<dim>::with_constants(const ElasticConstants &constants) const
+  {
+    const bool plane_stress = dim == 2 && plane_state() == PlaneState::stress;
+    return {constants,
+            plane_stress ? lame_constants_plane_stress(constants)
+                         : lame_constants(constants),
+            dim == 2 ? thickness_ : 1.,
+            plane_state()};
   }
 
   template class Material<2>;

@@ -155,7 +155,6 @@ namespace springfit
                   "The force is scaled so that the linear finite element "
                   "model's largest displacement is this times the object's "
                   "extent along the pull (no unit, 0.1 is 10 %), positive.");
-    parse_parameters_call_back.connect([this]() { check(); });
   }
 
   template <int dim>

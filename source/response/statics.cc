@@ -151,7 +151,6 @@ namespace springfit
                   tolerance_,
                   "For cg and for nonlinear responses: the forces left over, "
                   "relative to the load (no unit), between 1e-15 and 1e-6.");
-    parse_parameters_call_back.connect([this]() { check(); });
   }
 
   template <int dim>

@@ -7,8 +7,27 @@ namespace springfit
   {
     static const WordTable<StudyKind> table = {{StudyKind::calibrate,
                                                 "calibrate"},
-                                               {StudyKind::compare, "compare"}};
+                                               {StudyKind::compare, "compare"},
+                                               {StudyKind::sweep, "sweep"}};
     return table;
+  }
+
+  template <int dim>
+  void
+  check_study(const StudyKind study, const Scene<dim> &scene)
+  {
+    switch (study)
+      {
+        case StudyKind::calibrate:
+          break;
+        case StudyKind::compare:
+          scene.loads.check();
+          scene.statics.check();
+          break;
+        case StudyKind::sweep:
+          scene.sweep_range.check(scene.material);
+          break;
+      }
   }
 
   template <int dim>
@@ -21,9 +40,15 @@ namespace springfit
           return calibrate(scene, session);
         case StudyKind::compare:
           return compare(scene, session);
+        case StudyKind::sweep:
+          return sweep(scene, session);
       }
   }
 
+  template void
+  check_study<2>(StudyKind, const Scene<2> &);
+  template void
+  check_study<3>(StudyKind, const Scene<3> &);
   template void
   run_study<2>(StudyKind, const Scene<2> &, Session &);
   template void

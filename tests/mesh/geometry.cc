@@ -111,6 +111,26 @@ TEST(Box, is_meshed_alike_each_time)
               second->triangulation.get_vertices()[v]);
 }
 
+TEST(Cell, is_regular_and_as_large_as_asked_for)
+{
+  const auto expect_cell = [](const auto &mesh, const double measure) {
+    const auto &triangulation = mesh.triangulation;
+    ASSERT_EQ(triangulation.n_active_cells(), 1u);
+    const auto cell = triangulation.begin_active();
+    for (unsigned int line = 0; line < cell->n_lines(); ++line)
+      EXPECT_NEAR(cell->line(line)->diameter(), 0.02, 1e-15);
+    EXPECT_NEAR(measure_of(mesh), measure, 1e-12 * measure);
+  };
+  const double square = 4e-4, cube = 8e-6;
+  expect_cell(*make_mesh<2>("Object = cell; Size = 0.02"), square);
+  expect_cell(*make_mesh<2>("Object = cell; Cells = triangles; Size = 0.02"),
+              std::sqrt(3.) / 4. * square);
+  expect_cell(*make_mesh<3>("Object = cell; Size = 0.02, 0.02, 0.02"), cube);
+  expect_cell(*make_mesh<3>("Object = cell; Cells = tetrahedra; Size = 0.02"),
+              cube / (6. * std::sqrt(2.)));
+}
+
+
 TEST(Cylinder, of_hexahedra)
 {
   const auto mesh =

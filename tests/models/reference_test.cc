@@ -66,6 +66,26 @@ TEST(Stiffness, AgreesWithIndependentIntegration)
     compare_stiffness<3>(kind, false, oracle::solid(0.3), random);
 }
 
+TEST(IntegratedGradients, DoTheWorkOfAUniformStress)
+{
+  oracle::Random random(6);
+  for (const CellKind kind : {CellKind::tetrahedron, CellKind::hexahedron})
+    {
+      const Eigen::MatrixXd points = oracle::random_cell(kind, random);
+      const auto mesh              = oracle::single_cell_mesh<3>(kind, points);
+      const auto element           = make_element<3>(kind);
+      CellMatrices<3> matrices(element);
+      const auto cell              = mesh->triangulation.begin_active();
+      const Eigen::MatrixXd x      = cell_points<3>(cell);
+      const Eigen::MatrixXd stress = oracle::isotropic(3, 1., 0.); // pressure
+      const Eigen::VectorXd forces =
+        oracle::stiffness(x, kind, stress) * x.reshaped() / 3.;
+      EXPECT_LT(
+        (matrices.integrated_gradients(cell).reshaped() - forces).norm(),
+        1e-12 * forces.norm());
+    }
+}
+
 TEST(Masses, SumToTheMassOfEveryCell)
 {
   oracle::Random random(2);

@@ -1,9 +1,11 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/core/cell_kind.h>
+#include <springfit/core/number_list.h>
 #include <springfit/core/words.h>
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -151,5 +153,54 @@ namespace
   {
     EXPECT_THROW(write_file(folder / "none" / "a", [](std::ostream &) {}),
                  RunError);
+  }
+
+  std::vector<double>
+  uniform(const std::string &text)
+  {
+    return parse_number_list(text, Spacing::uniform, "Section/Entry");
+  }
+
+  std::vector<double>
+  logarithmic(const std::string &text)
+  {
+    return parse_number_list(text, Spacing::logarithmic, "Section/Entry");
+  }
+
+  TEST(NumberList, NumbersAndRanges)
+  {
+    EXPECT_EQ(uniform("0.3"), std::vector<double>({0.3}));
+    EXPECT_EQ(uniform(" 3, -1e-2 ,2"), std::vector<double>({3., -0.01, 2.}));
+    EXPECT_EQ(uniform("0 to 0.5 in 3, 7"),
+              std::vector<double>({0., 0.25, 0.5, 7.}));
+    EXPECT_EQ(uniform("0.1 to 0.7 in 2"), std::vector<double>({0.1, 0.7}));
+
+    const auto decades = logarithmic("1 to 1e4 in 5");
+    ASSERT_EQ(decades.size(), 5u);
+    for (unsigned int i = 0; i < 5; ++i)
+      EXPECT_NEAR(decades[i], std::pow(10., i), 1e-12 * decades[i]);
+    EXPECT_EQ(logarithmic("0, -1"), std::vector<double>({0., -1.}));
+  }
+
+  TEST(NumberList, RefusesWhatIsEmptyOrUnreadable)
+  {
+    for (const std::string text : {"",
+                                   " ",
+                                   "1 to 0 in 3",
+                                   "1 to 1 in 3",
+                                   "0 to 1 in 0",
+                                   "0 to 1 in 1",
+                                   "0 to 1 in 2.5",
+                                   "0 to 1 in 1e9",
+                                   "0 to 1 in -2",
+                                   "0 to 1",
+                                   "0 to 1 by 3",
+                                   "0 1",
+                                   "one",
+                                   "1e400",
+                                   "nan",
+                                   "0.3 Pa"})
+      EXPECT_THROW(uniform(text), EntryError) << text;
+    EXPECT_THROW(logarithmic("0 to 1 in 2"), EntryError);
   }
 } // namespace

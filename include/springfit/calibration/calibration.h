@@ -4,6 +4,7 @@
 #include <springfit/core/session.h>
 #include <springfit/fit/fit.h>
 #include <springfit/mesh/mesh.h>
+#include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
 #include <springfit/springs/network.h>
@@ -41,6 +42,15 @@ namespace springfit
   };
 
 
+  /** What the fits of one cell are given. */
+  template <int dim>
+  FitProblem
+  cell_problem(
+    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    CellKind kind,
+    CellMatrices<dim> &cell_matrices,
+    const CellMaterial &material);
+
   /**
    * The section "Fit": for every distinct cell, the reference stiffness, the
    * springs' gradients and the fit; then the network of all cells.
@@ -69,10 +79,6 @@ namespace springfit
               const MaterialTable &materials,
               Session &session) const;
 
-  private:
-    void
-    check() const;
-
     /** A row of the tables. */
     struct Row
     {
@@ -81,11 +87,20 @@ namespace springfit
     };
 
     /**
+     * Each method with each enrichment asked for that it has.
+     *
      * @throws EntryError when a word is not known, or a method has none of the
      * enrichments.
      */
     std::vector<Row>
     rows() const;
+
+    FitOptions
+    options(const Row &row) const;
+
+  private:
+    void
+    check() const;
 
     std::string methods_word_     = "frobenius, spectral";
     std::string enrichments_word_ = "none";

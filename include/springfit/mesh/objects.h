@@ -105,6 +105,12 @@ namespace springfit
   describe_specimen(const ObjectRequest &request);
 
   void
+  check_single_cell(const ObjectRequest &request);
+
+  MeshDescription
+  describe_single_cell(const ObjectRequest &request);
+
+  void
   check_file(const ObjectRequest &request);
 
   void

@@ -45,6 +45,13 @@ namespace springfit
     Eigen::VectorXd
     masses(const Cell &cell, const CellMaterial &material);
 
+    /**
+     * The integrals of the shape functions' gradients over the cell,
+     * dim x n_vertices, in m^2 (3-d) or m (2-d).
+     */
+    Eigen::MatrixXd
+    integrated_gradients(const Cell &cell);
+
     /** The volume in m^3 (3-d) or the area in m^2 (2-d). */
     double
     volume(const Cell &cell);

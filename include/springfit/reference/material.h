@@ -73,8 +73,22 @@ namespace springfit
     MaterialTable
     resolve(const Mesh<dim> &mesh) const;
 
+    /**
+     * Any linear isotropic material in the plane state and with the thickness
+     * of this section.
+     */
+    CellMaterial
+    with_constants(const ElasticConstants &constants) const;
+
     PlaneState
     plane_state() const;
+
+    /**
+     * @throws EntryError, of the given entry, when no material of this plane
+     * state has such a ratio.
+     */
+    void
+    check_poissons_ratio(double ratio, const std::string &entry) const;
 
   private:
     /** A constant for every cell, or one for each of several materials. */

@@ -37,10 +37,16 @@ namespace springfit
             const Element<dim> &element,
             double thickness) const;
 
-  private:
+    /**
+     * Check the values that can be judged without a mesh; for the studies that
+     * load something.
+     *
+     * @throws EntryError
+     */
     void
     check() const;
 
+  private:
     std::vector<bool>
     fixed_nodes(const Mesh<dim> &mesh) const;
 

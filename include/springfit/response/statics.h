@@ -73,10 +73,15 @@ namespace springfit
             const std::string &name,
             Kinematics kinematics) const;
 
-  private:
+    /**
+     * Check all values; for the studies that load something.
+     *
+     * @throws EntryError
+     */
     void
     check() const;
 
+  private:
     /**
      * Makes the solver for a matrix, as asked for or by its size: by default
      * conjugate gradients from @p smallest_cg unknowns on.

@@ -6,6 +6,7 @@
 #include <springfit/reference/material.h>
 #include <springfit/response/loads.h>
 #include <springfit/response/statics.h>
+#include <springfit/studies/sweep_range.h>
 
 #include <filesystem>
 
@@ -26,6 +27,7 @@ namespace springfit
     Calibration<dim> calibration;
     Loads<dim> loads;
     Statics<dim> statics;
+    SweepRange<dim> sweep_range;
   };
 } // namespace springfit
 

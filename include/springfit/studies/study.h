@@ -11,11 +11,22 @@ namespace springfit
   enum class StudyKind
   {
     calibrate,
-    compare
+    compare,
+    sweep
   };
 
   const WordTable<StudyKind> &
   study_words();
+
+  /**
+   * Check the sections that only some studies use, and what must suit the
+   * study.
+   *
+   * @throws EntryError
+   */
+  template <int dim>
+  void
+  check_study(StudyKind study, const Scene<dim> &scene);
 
   /** Run a study; its results are in the session's output folder afterwards. */
   template <int dim>
@@ -34,6 +45,14 @@ namespace springfit
   template <int dim>
   void
   compare(const Scene<dim> &scene, Session &session);
+
+  /**
+   * What a single cell delivers in a tensile test, over the material's
+   * constants (Figure 9 of Natsupakpong and Cavusoglu 2010).
+   */
+  template <int dim>
+  void
+  sweep(const Scene<dim> &scene, Session &session);
 } // namespace springfit
 
 #endif
