@@ -13,9 +13,10 @@ body[] = Extrude {a, 0, 0} { Surface{face[1]}; };
 Mesh.CharacteristicLengthExtendFromBoundary = 0;
 Mesh.CharacteristicLengthFromPoints = 0;
 Field[1] = MathEval;
-Field[1].F = Sprintf("0.0036 + 0.0017 * ((2 * x / %g - 1)^4 + (2 * y / %g - 1)^4 + (2 * z / %g - 1)^4)", a, a, a);
+Field[1].F = Sprintf("0.0034 + 0.0017 * ((2 * x / %g - 1)^4 + (2 * y / %g - 1)^4 + (2 * z / %g - 1)^4)", a, a, a);
 Background Field = 1;
 
 Physical Surface("x min", 10) = {face[1]};
 Physical Surface("x max", 20) = {body[0]};
+Physical Surface("sides", 30) = {body[2], body[3], body[4], body[5]};
 Physical Volume("cube", 1) = {body[1]};
