@@ -1,0 +1,157 @@
+"""The pictures of the page, drawn by gnuplot as svg."""
+import math
+import subprocess
+
+from vtu import read_vtu
+
+# Faces of cells by VTK's cell type.
+FACES = {10: ((0, 1, 2), (0, 1, 3), (1, 2, 3), (0, 2, 3)),
+         12: ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6),
+              (3, 0, 4, 7))}
+CAMERA = (-0.42, -0.80, 0.43)  # from the object to the eye
+COLOURS = ("#4477aa", "#ee6677", "#228833", "#aa3377", "#ccbb44", "#66ccee", "#bbbbbb",
+           "#000000")
+
+
+def gnuplot(script):
+    subprocess.run(["gnuplot"], input=script, text=True, check=True, capture_output=True)
+
+
+def _sum(points):
+    return [sum(p[d] for p in points) / len(points) for d in range(3)]
+
+
+def _cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def _dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def _project(point):
+    right = _cross((0, 0, 1), CAMERA)
+    right = [x / math.sqrt(_dot(right, right)) for x in right]
+    up = _cross(CAMERA, right)
+    length = math.sqrt(_dot(up, up))
+    return _dot(point, right), _dot(point, up) / length
+
+
+def _cells(mesh):
+    begin = 0
+    for kind, end in zip(mesh["types"], mesh["offsets"]):
+        yield kind, mesh["connectivity"][begin:end]
+        begin = end
+
+
+def _visible_faces(mesh):
+    """Faces of the surface that look at the eye; a hole's do not count."""
+    points = mesh["points"]
+    lowest = [min(p[d] for p in points) for d in range(3)]
+    highest = [max(p[d] for p in points) for d in range(3)]
+    faces = {}
+    for kind, cell in _cells(mesh):
+        for face in FACES[kind]:
+            nodes = [cell[v] for v in face]
+            key = frozenset(tuple(round(1e7 * x) for x in points[n]) for n in nodes)
+            faces[key] = None if key in faces else (nodes, _sum([points[n] for n in cell]))
+    for nodes, inside in (face for face in faces.values() if face):
+        a, b, c = (points[n] for n in nodes[:3])
+        normal = _cross([y - x for x, y in zip(a, b)], [y - x for x, y in zip(a, c)])
+        centre = _sum([points[n] for n in nodes])
+        if _dot(normal, [x - y for x, y in zip(centre, inside)]) < 0:
+            normal = [-x for x in normal]
+        outermost = max(abs(2 * centre[d] - lowest[d] - highest[d]) /
+                        (highest[d] - lowest[d]) for d in range(3))
+        if _dot(normal, CAMERA) > 0 and outermost > 0.62:
+            yield nodes
+
+
+def _edges(mesh):
+    """Pairs of nodes, each edge once."""
+    flat = mesh["types"][0] in (5, 9)
+    loops = [cell for _, cell in _cells(mesh)] if flat else _visible_faces(mesh)
+    points, seen = mesh["points"], {}
+    for loop in loops:
+        for a, b in zip(loop, list(loop[1:]) + [loop[0]]):
+            key = frozenset(tuple(round(1e7 * x) for x in points[n]) for n in (a, b))
+            seen.setdefault(key, (a, b))
+    return flat, list(seen.values())
+
+
+def _block(name, mesh, flat, edges):
+    """A gnuplot data block of the deformed edges, in cm."""
+    lines = [f"${name} << EOD"]
+    for edge in edges:
+        for node in edge:
+            at = [100 * (x + u) for x, u in
+                  zip(mesh["points"][node], mesh["displacement"][node])]
+            lines.append("%.3f %.3f" % (tuple(at[:2]) if flat else _project(at)))
+        lines.append("")
+    return "\n".join(lines + ["EOD"])
+
+
+def deformed(folder, case, fits, titles, path):
+    """Finite elements (dashed) over springs, one panel for each fit."""
+    fem = read_vtu(folder / f"{case}_fem.vtu")
+    flat, edges = _edges(fem)
+    blocks = [_block("fem", fem, flat, edges)]
+    panels = []
+    for number, (fit, title) in enumerate(zip(fits, titles)):
+        springs = read_vtu(folder / f"{case}_{fit}.vtu")
+        blocks.append(_block(f"lem{number}", springs, flat, edges))
+        panels.append(
+            f"set title '{title}'\nplot $lem{number} with lines lw 2 lc '#9bc0e0' "
+            f"title '{'springs' if number == 0 else ''}', $fem with lines dt (3,2) lw 0.8 "
+            f"lc '#cc3311' title '{'finite elements' if number == 0 else ''}'")
+    width, height = (380, 330)
+    gnuplot("\n".join(
+        [f"set terminal svg size {width * len(fits)},{height} font 'sans,12' background 'white'",
+         f"set output '{path}'", *blocks,
+         f"set multiplot layout 1,{len(fits)}",
+         "set size ratio -1", "unset border", "unset tics", "set key at screen 0.5, screen 0.07 center horizontal",
+         "set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.12",
+         *panels, "unset multiplot", "unset output"]) + "\n")
+
+
+def sweep(tables, path):
+    """Figure 9: E_out over E_in, and nu_out over nu_in of one cell of each
+    kind. 'tables' are {cells: rows of sweep.csv}."""
+    def name(row):
+        return row["fit"] + ("" if row["enrichment"] == "none" else f" + {row['enrichment']}")
+
+    def series(rows, x, y, where):
+        result = {}
+        for row in rows:
+            if where(row) and row[y]:
+                result.setdefault(name(row), []).append((float(row[x]), float(row[y])))
+        return {n: sorted(points) for n, points in result.items()}
+
+    def panel(title, x_label, y_label, curves, before):
+        blocks, plots = [], []
+        for number, (label, points) in enumerate(curves.items()):
+            block = f"$d{len(script)}_{number}"
+            blocks.append("\n".join([f"{block} << EOD"] + ["%.6g %.6g" % p for p in points]
+                                    + ["EOD"]))
+            shape = "dt 2 lw 2 lc 'black'" if label == "fem" else \
+                f"lw 1.5 lc '{COLOURS[number % len(COLOURS)]}'"
+            plots.append(f"{block} with lines {shape} title '{label}'")
+        script.append("\n".join(blocks + [before, f"set title '{title}'",
+                                          f"set xlabel '{x_label}'", f"set ylabel '{y_label}'",
+                                          "plot " + ", ".join(plots)]))
+
+    script = []
+    for cells, rows in tables.items():
+        nu_in = min({float(r["nu_in"]) for r in rows}, key=lambda nu: abs(nu - 0.3))
+        highest = max(float(r["E_in"]) for r in rows)
+        panel(f"one cell, {cells}", "E_in, Pa", "E_out, Pa",
+              series(rows, "E_in", "E_out", lambda r: abs(float(r["nu_in"]) - nu_in) < 1e-9),
+              "set logscale xy; set xrange [*:*]; set yrange [*:*]; set key left top")
+        panel(f"one cell, {cells}", "nu_in", "nu_out",
+              series(rows, "nu_in", "nu_out", lambda r: float(r["E_in"]) == highest),
+              "unset logscale; set xrange [0:0.5]; set yrange [-0.1:1]; set key left top")
+    gnuplot("\n".join(
+        [f"set terminal svg size 760,{300 * len(tables)} font 'sans,11' background 'white'",
+         f"set output '{path}'", f"set multiplot layout {len(tables)},2",
+         "set key samplen 1.5 font 'sans,9'", "set format y '%g'", "set format x '%g'",
+         *script, "unset multiplot", "unset output"]) + "\n")
