@@ -111,6 +111,8 @@ def spread_tables(rows):
         for (fit, enrichment, nonnegative), of_fit in values.items():
             if (fit, enrichment) not in figures:
                 continue
+            if nonnegative and of_fit == values.get((fit, enrichment, False)):
+                continue  # no mesh has a negative spring
             for quantity, numbers in of_fit.items():
                 paper = figures[(fit, enrichment)].get(quantity)
                 if paper is None:

@@ -100,10 +100,11 @@ def draw(experiments, runs, folder):
     return "\n".join(text)
 
 
-def unfinished(lines, time_lines):
+def unfinished(lines, time_lines, sweeps):
     """Published figures that have no finite figure of ours."""
     missing = [f"Table {line.table}, {line.object}, {line.cells}, {line.label}, {quantity}"
                for line in lines for quantity in line.paper if quantity not in line.ours]
+    missing += [f"Figure 9, {cells}" for cells in SWEEPS if not sweeps.get(cells)]
     return missing + [f"Table 2, {cells}, {label}" for cells, label, paper, ours, _ in
                       time_lines if paper and not ours]
 
@@ -164,7 +165,7 @@ def main():
     if arguments.publish:
         publish(folder)
 
-    missing = unfinished(lines, time_lines)
+    missing = unfinished(lines, time_lines, sweeps)
     for row in missing:
         print(f"Error: no figure of ours for {row}", file=sys.stderr)
     print(f"{time.time() - begin:.0f} s. Results are in {folder.relative_to(TOP)}: open "
