@@ -12,8 +12,8 @@ namespace springfit
     if (!std::filesystem::exists(folder / "used.prm"))
       return;
     const std::regex results(
-      "(comparison|fit|nodes|sweep|(springs|couplings|volumes)_.*)\\.csv|"
-      ".*\\.vtu|.*\\.pvd");
+      "(comparison|fit|nodes|cells|sweep|(springs|couplings|volumes)_.*|.*_fem)"
+      "\\.csv|.*\\.vtu|.*\\.pvd");
     std::vector<std::filesystem::path> files;
     for (const auto &entry : std::filesystem::directory_iterator(folder))
       if (entry.is_regular_file() &&

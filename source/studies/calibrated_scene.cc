@@ -3,6 +3,7 @@
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
 #include <springfit/output/earlier_results.h>
+#include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/studies/calibrated_scene.h>
@@ -209,6 +210,7 @@ namespace springfit
       const auto &folder = session.output_directory();
       write_fits(folder, rows);
       write_nodes(folder, calibrated.networks.front().network);
+      write_cells(folder, *calibrated.mesh);
       for (const auto &network : calibrated.networks)
         write_network(folder, network.name, network.network);
     });

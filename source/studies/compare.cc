@@ -2,6 +2,7 @@
 #include <springfit/comparison/errors.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/output/vtu.h>
 #include <springfit/reference/material_law.h>
@@ -234,6 +235,22 @@ namespace springfit
                                spring_fields[n]);
     }
 
+    /** <case>_fem.csv, where the finite elements bear the whole load. */
+    void
+    write_responses(const std::filesystem::path &folder,
+                    const Loading &loading,
+                    const std::vector<CaseResult> &results)
+    {
+      for (const auto &result : results)
+        if (is_complete(result.reference))
+          write_response(folder /
+                           (word_of(load_words(), result.load_case.load) +
+                            "_fem.csv"),
+                         loading.fixed,
+                         result.load_case.forces,
+                         result.reference.displacement);
+    }
+
     /** @throws RunError when a model did not reach the whole load. */
     void
     check_completeness(const std::vector<CaseResult> &results,
@@ -294,6 +311,7 @@ namespace springfit
       run_on_root(session.communicator(), [&]() {
         write_comparison(session.output_directory(), rows);
         write_pictures(session.output_directory(), calibrated, results);
+        write_responses(session.output_directory(), loading, results);
       });
     }
     check_completeness(results, session.output_directory());
