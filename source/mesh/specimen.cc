@@ -33,20 +33,55 @@ namespace springfit
       return {request.size[0], request.size[1]};
     }
 
-    // A grid that the outline bends: equal cells along each of its parts,
-    // across its width and through its thickness.
+    // Where the outline is so wide, cells have the lengths asked for: the
+    // harmonic mean of the widths of grip and gauge.
+    double
+    mean_width(const SpecimenOutline &outline)
+    {
+      return 0.5 * outline.width;
+    }
+
+    // Stations between which cells keep their proportions: the length of a
+    // cell is as the width, so that equal parts of the integral of dx / width
+    // lie between them. Each part of the outline has whole cells.
+    void
+    add_stations(const SpecimenOutline &outline,
+                 const Interval &part,
+                 const double cell_size,
+                 std::vector<double> &stations)
+    {
+      constexpr unsigned int n_fine = 1000;
+      const double step             = part.length() / n_fine;
+      std::vector<double> integral  = {0.};
+      for (unsigned int i = 0; i < n_fine; ++i)
+        integral.push_back(
+          integral.back() +
+          step * mean_width(outline) /
+            (2. * outline.half_width(part.lowest + step * (i + 0.5))));
+
+      const unsigned int n = n_intervals(integral.back(), cell_size);
+      for (unsigned int station = 0; station < n; ++station)
+        {
+          const double wanted = integral.back() * station / n;
+          const auto above =
+            std::upper_bound(integral.begin(), integral.end(), wanted);
+          const auto below = above - 1;
+          stations.push_back(part.lowest +
+                             step * (below - integral.begin() +
+                                     (wanted - *below) / (*above - *below)));
+        }
+    }
+
     std::vector<double>
     stations_along(const SpecimenOutline &outline, const double cell_size)
     {
       const auto joints = outline.joints();
       std::vector<double> stations;
       for (unsigned int part = 0; part + 1 < joints.size(); ++part)
-        {
-          const double length  = joints[part + 1] - joints[part];
-          const unsigned int n = n_intervals(length, cell_size);
-          for (unsigned int i = 0; i < n; ++i)
-            stations.push_back(joints[part] + length * i / n);
-        }
+        add_stations(outline,
+                     {joints[part], joints[part + 1]},
+                     cell_size,
+                     stations);
       stations.push_back(joints.back());
       return stations;
     }
@@ -56,10 +91,8 @@ namespace springfit
     {
       const SpecimenOutline outline = outline_of(request);
       const auto x = stations_along(outline, cell_size_along(request, 0));
-      // The harmonic mean of the widths of grip and gauge: there the cells
-      // have on average the lengths asked for.
       const unsigned int n_across =
-        n_intervals(0.5 * outline.width, cell_size_along(request, 1));
+        n_intervals(mean_width(outline), cell_size_along(request, 1));
       const double thickness = request.dim == 3 ? request.size[2] : 0.;
       const unsigned int n_through =
         request.dim == 3 ? n_intervals(thickness, cell_size_along(request, 2))

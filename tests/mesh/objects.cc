@@ -337,11 +337,9 @@ TEST(Specimen, OfPlaneCellsHasItsAreaAndItsBoundaries)
                             {"x min", "x max", "y min", "y max"},
                             {0.03, 0.03, contour, contour},
                             0.004);
-          // The step is odd about its middle, so that the convex and the
-          // concave halves cancel in equal steps along x; gmsh's are equal
-          // along the arc, and so nearly.
+          // Chords of length h miss an area as h^2.
           const double error = std::abs(measure_of(*mesh) / specimen_area - 1.);
-          EXPECT_LT(error, 1e-3);
+          EXPECT_LT(error, 200. * h * h);
           EXPECT_LT(error, std::max(0.5 * last_error, 1e-12));
           last_error = error;
           ASSERT_TRUE(mesh->straight_part);
@@ -374,7 +372,7 @@ TEST(Specimen, OfSpaceCellsHasItsVolumeAndItsBoundaries)
         0.004);
       EXPECT_NEAR(measure_of(*mesh),
                   specimen_area * thickness,
-                  1e-3 * specimen_area * thickness);
+                  3e-3 * specimen_area * thickness);
       ASSERT_TRUE(mesh->straight_part);
       EXPECT_NEAR(mesh->straight_part->length(), 0.02, 1e-15);
     }
@@ -397,22 +395,36 @@ TEST(Specimen, HasItsOutlineForItsBoundary)
     }
 }
 
+TEST(Specimen, HasCellsOfOneProportion)
+{
+  // Twice as long as wide everywhere, up to the rounding of their numbers.
+  const auto mesh =
+    make_mesh<2>("Object = specimen; Cell size = 0.001, 0.0005");
+  for (const auto &cell : mesh->triangulation.active_cell_iterators())
+    {
+      const double length = cell->vertex(1)[0] - cell->vertex(0)[0];
+      const double width  = cell->vertex(2)[1] - cell->vertex(0)[1];
+      EXPECT_NEAR(length / width, 2., 0.15);
+    }
+}
+
 TEST(Specimen, HasThePublishedCounts)
 {
   const auto plane =
     make_mesh<2>("Object = specimen; Cells = triangles; Cell size = 0.0075");
   expect_counts_near(*plane, 125, 192, 0.08);
   EXPECT_GT(worst_shape_quality(*plane), 0.7);
-  const auto mapped = make_mesh<2>("Object = specimen; Cell size = 0.003");
-  expect_counts_near(*mapped, 329, 266, 0.02);
+  const auto mapped =
+    make_mesh<2>("Object = specimen; Cell size = 0.0029, 0.0025");
+  expect_counts_near(*mapped, 329, 266, 0.05);
   EXPECT_GT(worst_shape_quality(*mapped), 0.9);
   const auto solid =
     make_mesh<3>("Object = specimen; Cells = tetrahedra; Cell size = 0.00598");
   expect_counts_near(*solid, 538, 1500, 0.05);
   EXPECT_GT(worst_shape_quality(*solid), 0.1);
   const auto layers =
-    make_mesh<3>("Object = specimen; Cell size = 0.0028, 0.003, 0.0033");
-  expect_counts_near(*layers, 4 * 349, 3 * 281, 0.02);
+    make_mesh<3>("Object = specimen; Cell size = 0.0028, 0.0025, 0.0033");
+  expect_counts_near(*layers, 4 * 349, 3 * 281, 0.04);
   EXPECT_GT(worst_shape_quality(*layers), 0.9);
 }
 
@@ -420,7 +432,7 @@ TEST(Specimen, HasASizeThatScalesItsOutline)
 {
   const auto mesh =
     make_mesh<2>("Object = specimen; Size = 0.32, 0.015; Cell size = 0.002");
-  EXPECT_NEAR(measure_of(*mesh), specimen_area, 1e-12);
+  EXPECT_NEAR(measure_of(*mesh), specimen_area, 1e-3 * specimen_area);
   EXPECT_NEAR(mesh->straight_part->lowest, 0.14, 1e-15);
 }
 
@@ -447,7 +459,7 @@ TEST(Objects, HaveTheirOwnSizes)
 {
   EXPECT_NEAR(measure_of(*make_mesh<2>("Object = specimen; Size = ")),
               specimen_area,
-              1e-12);
+              1e-3 * specimen_area);
   EXPECT_NEAR(measure_of(*make_mesh<2>("Object = tissue; Size = ")),
               tissue_area(),
               0.01 * tissue_area());
