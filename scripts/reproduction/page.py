@@ -203,10 +203,10 @@ def sweep_summary(sweeps):
             nu_in = min({float(r["nu_in"]) for r in found}, key=lambda nu: abs(nu - 0.3))
             ratios = [float(r["E_out"]) / float(r["E_in"]) for r in found
                       if r["E_out"] and abs(float(r["nu_in"]) - nu_in) < 1e-9]
-            nus = [float(r["nu_out"]) for r in found if r["nu_out"]]
+            nus = [round(float(r["nu_out"]), 9) for r in found if r["nu_out"]]
             if ratios and nus:
                 body.append([cells, f"`{label}`", f"{min(ratios):.4f} to {max(ratios):.4f}",
-                             f"{min(nus):.3f} to {max(nus):.3f}"])
+                             f"{min(nus) + 0.:.3f} to {max(nus):.3f}"])
     return _table(["cell", "fit", "E_out / E_in (nu_in = 0.3, all E_in)",
                    "nu_out (all nu_in)"], body)
 
@@ -217,7 +217,7 @@ def origin(top, program):
     with open("/proc/cpuinfo") as file:
         models = [line.split(":")[1].strip() for line in file
                   if line.startswith("model name")]
-    return (f"{version.stdout.strip()}; {len(models)} x {models[0] if models else 'unknown'}, "
+    return (f"{', '.join(version.stdout.split(chr(10))[:2])}; {len(models)} x {models[0] if models else 'unknown'}, "
             f"{platform.system()}; {datetime.date.today().isoformat()}")
 
 

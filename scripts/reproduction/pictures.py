@@ -15,8 +15,13 @@ COLOURS = ("#4477aa", "#ee6677", "#228833", "#aa3377", "#ccbb44", "#66ccee", "#b
            "#000000")
 
 
-def gnuplot(script):
-    subprocess.run(["gnuplot"], input=script, text=True, check=True, capture_output=True)
+def gnuplot(path, size, script):
+    """Write a picture; a tenth of a point is fine enough."""
+    head = (f"set terminal svg noenhanced size {size[0]},{size[1]} font 'sans,12' "
+            f"background 'white'\nset output '{path}'\n")
+    subprocess.run(["gnuplot"], input=head + script + "\nunset output\n", text=True,
+                   check=True, capture_output=True)
+    path.write_text(re.sub(r"(\d+\.\d)\d+", r"\1", path.read_text()))
 
 
 def _sum(points):
@@ -129,57 +134,47 @@ def deformed(folder, case, fits, titles, path):
             f"set title '{title}'\nplot $lem{number} with lines lw 2 lc '#9bc0e0' "
             f"title '{'springs' if number == 0 else ''}', $fem with lines dt (3,2) lw 0.8 "
             f"lc '#cc3311' title '{'finite elements' if number == 0 else ''}'")
-    width, height = (380, 330)
-    gnuplot("\n".join(
-        [f"set terminal svg size {width * len(fits)},{height} font 'sans,12' background 'white'",
-         f"set output '{path}'", *blocks,
-         f"set multiplot layout 1,{len(fits)}",
-         "set size ratio -1", "unset border", "unset tics", "set key at screen 0.5, screen 0.07 center horizontal",
+    gnuplot(path, (380 * len(fits), 330), "\n".join(
+        [*blocks, f"set multiplot layout 1,{len(fits)}",
+         "set size ratio -1", "unset border", "unset tics",
+         "set key at screen 0.5, screen 0.07 center horizontal",
          "set offsets graph 0.03, graph 0.03, graph 0.03, graph 0.12",
-         *panels, "unset multiplot", "unset output"]) + "\n")
-    # A tenth of a point is fine enough.
-    text = path.read_text()
-    path.write_text(re.sub(r"(\d+\.\d)\d+", r"\1", text))
+         *panels, "unset multiplot"]))
 
 
-def sweep(tables, path):
-    """Figure 9: E_out over E_in, and nu_out over nu_in of one cell of each
-    kind. 'tables' are {cells: rows of sweep.csv}."""
+def sweep(cells, rows, path):
+    """Figure 9: E_out over E_in, and nu_out over nu_in, of one cell; the rows
+    are those of sweep.csv."""
     def name(row):
         return row["fit"] + ("" if row["enrichment"] == "none" else f" + {row['enrichment']}")
 
-    def series(rows, x, y, where):
+    def series(x, y, where):
         result = {}
         for row in rows:
             if where(row) and row[y]:
                 result.setdefault(name(row), []).append((float(row[x]), float(row[y])))
         return {n: sorted(points) for n, points in result.items()}
 
-    def panel(title, x_label, y_label, curves, before):
+    def panel(x, y, unit, curves, before):
         blocks, plots = [], []
         for number, (label, points) in enumerate(curves.items()):
-            block = f"$d{len(script)}_{number}"
-            blocks.append("\n".join([f"{block} << EOD"] + ["%.6g %.6g" % p for p in points]
-                                    + ["EOD"]))
+            block = f"${y}_{number}"
+            blocks += [f"{block} << EOD", *("%.6g %.6g" % p for p in points), "EOD"]
             shape = "dt 2 lw 2 lc 'black'" if label == "fem" else \
                 f"lw 1.5 lc '{COLOURS[number % len(COLOURS)]}'"
             plots.append(f"{block} with lines {shape} title '{label}'")
-        script.append("\n".join(blocks + [before, f"set title '{title}'",
-                                          f"set xlabel '{x_label}'", f"set ylabel '{y_label}'",
-                                          "plot " + ", ".join(plots)]))
+        return "\n".join([*blocks, before, f"set xlabel '{x}{unit}'",
+                          f"set ylabel '{y}{unit}'", "plot " + ", ".join(plots)])
 
-    script = []
-    for cells, rows in tables.items():
-        nu_in = min({float(r["nu_in"]) for r in rows}, key=lambda nu: abs(nu - 0.3))
-        highest = max(float(r["E_in"]) for r in rows)
-        panel(f"one cell, {cells}", "E_in, Pa", "E_out, Pa",
-              series(rows, "E_in", "E_out", lambda r: abs(float(r["nu_in"]) - nu_in) < 1e-9),
-              "set logscale xy; set xrange [*:*]; set yrange [*:*]; set key left top")
-        panel(f"one cell, {cells}", "nu_in", "nu_out",
-              series(rows, "nu_in", "nu_out", lambda r: float(r["E_in"]) == highest),
-              "unset logscale; set xrange [0:0.5]; set yrange [-0.1:1]; set key left top")
-    gnuplot("\n".join(
-        [f"set terminal svg size 760,{300 * len(tables)} font 'sans,11' background 'white'",
-         f"set output '{path}'", f"set multiplot layout {len(tables)},2",
-         "set key samplen 1.5 font 'sans,9'", "set format y '%g'", "set format x '%g'",
-         *script, "unset multiplot", "unset output"]) + "\n")
+    nu_in = min({float(r["nu_in"]) for r in rows}, key=lambda nu: abs(nu - 0.3))
+    highest = max(float(r["E_in"]) for r in rows)
+    gnuplot(path, (760, 320), "\n".join([
+        "set multiplot layout 1,2", f"set title 'one cell, {cells}'",
+        "set key left top samplen 1.5 font 'sans,9'", "set format xy '%g'",
+        panel("E_in", "E_out", ", Pa",
+              series("E_in", "E_out", lambda r: abs(float(r["nu_in"]) - nu_in) < 1e-9),
+              "set logscale xy; unset mxtics; unset mytics"),
+        panel("nu_in", "nu_out", "",
+              series("nu_in", "nu_out", lambda r: float(r["E_in"]) == highest),
+              "unset logscale; set xrange [0:0.5]; set yrange [-0.1:1.1]"),
+        "unset multiplot"]))

@@ -114,7 +114,8 @@ def publish(folder):
     text = (folder / "reproduction.md").read_text()
     (TOP / "doc" / "reproduction.md").write_text(text.replace("](pictures/", "](reproduction/"))
     shipped = TOP / "doc" / "reproduction"
-    shipped.mkdir(exist_ok=True)
+    shutil.rmtree(shipped, ignore_errors=True)
+    shipped.mkdir()
     for picture in (folder / "pictures").glob("*.svg"):
         shutil.copy(picture, shipped / picture.name)
 
@@ -131,6 +132,7 @@ def main():
     folder = TOP / "output" / "reproduction"
     runs = folder / "runs"
     runs.mkdir(parents=True, exist_ok=True)
+    shutil.rmtree(folder / "pictures", ignore_errors=True)
     experiments = [e for e in all_experiments() if (TOP / e.scene).exists()]
     run_all(experiments, PROGRAM, TOP, runs, arguments.reuse)
     seconds = benchmark(folder, arguments.reuse)
@@ -146,13 +148,15 @@ def main():
                               time_rows(time_lines) + sweep_rows(sweeps))
 
     shown = draw(experiments, runs, folder / "pictures")
-    if sweeps:
-        pictures.sweep(sweeps, folder / "pictures" / "figure_9.svg")
+    curves = []
+    for cells, found in sweeps.items():
+        pictures.sweep(cells, found, folder / "pictures" / f"figure_9_{cells}.svg")
+        curves.append(f"![E_out and nu_out of one cell, {cells}](pictures/figure_9_{cells}.svg)\n")
     fill = {"origin": page.origin(TOP, PROGRAM), "paper": page.PAPER,
             "summary": page.summary(rows, remarks), "spread": page.spread_tables(rows),
             "times": page.times_table(time_lines), "sweep": page.sweep_summary(sweeps),
             "large": page.large_matrix(of_table["3"]), "loads": page.other_loads(rows),
-            "pictures": shown, "problems": page.problems(experiments)}
+            "pictures": shown, "curves": "\n".join(curves), "problems": page.problems(experiments)}
     for table in of_table:
         # Table 3 has all pairs of models in a table of its own.
         chosen = [line for line in of_table[table]

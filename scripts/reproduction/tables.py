@@ -134,7 +134,9 @@ def lines_of(table, rows, remarks):
             said.append(f"certified to {line.row['gap']:.0e}")
         if int(line.row.get("n_negative") or 0):
             said.append(f"{line.row['n_negative']} of {line.row['n_springs']} springs negative")
-        line.remark = "; ".join(said + remarks_on(remarks, line))
+        if line.paper:
+            said += remarks_on(remarks, line)
+        line.remark = "; ".join(said)
     return lines
 
 
