@@ -132,7 +132,7 @@ def deformed(folder, case, fits, titles, path):
         blocks.append(_block(f"lem{number}", springs, flat, trails))
         panels.append(
             f"set title '{title}'\nplot $lem{number} with lines lw 2 lc '#9bc0e0' "
-            f"title '{'springs' if number == 0 else ''}', $fem with lines dt (3,2) lw 0.8 "
+            f"title '{'springs' if number == 0 else ''}', $fem with lines dt (10,6) lw 0.8 "
             f"lc '#cc3311' title '{'finite elements' if number == 0 else ''}'")
     gnuplot(path, (380 * len(fits), 330), "\n".join(
         [*blocks, f"set multiplot layout 1,{len(fits)}",
