@@ -117,7 +117,9 @@ def spread_tables(rows):
                 paper = figures[(fit, enrichment)].get(quantity)
                 if paper is None:
                     continue
-                inside = numbers[0] <= float(paper) <= numbers[-1]
+                # Published figures are rounded to their last digit.
+                half = 0.5 * 10. ** -len(paper.split(".")[1])
+                inside = numbers[0] - half <= float(paper) <= numbers[-1] + half
                 body.append([first, f"`{fit}{', k >= 0' if nonnegative else ''}`",
                              quantity.replace("_percent", ""),
                              *(_number(quantity, x) for x in
