@@ -3,8 +3,8 @@ import datetime
 import platform
 import subprocess
 
-from experiments import LAWS, SIMILAR_MESHES, SPRINGS_ONLY, SWEEPS
-from tables import ERRORS, best_rows, objects_of, spread
+from experiments import LAWS, SHEAR_PERCENT, SIMILAR_MESHES, SPRINGS_ONLY, SWEEPS
+from tables import ERRORS, best_rows, errors_published, objects_of, spread
 
 PAPER = ("S. Natsupakpong and M. C. Cavusoglu, Determination of elasticity parameters in "
          "lumped element (mass-spring) models of deformable objects, Graphical Models 72 "
@@ -153,6 +153,27 @@ def large_matrix(lines):
         text.append(_table(["fit"] + [f"{k} springs, {law}" for law in LAWS
                                       for k in ("linear", "nonlinear")], body))
     return "\n".join(text)
+
+
+def large_shear(rows):
+    """Table 6: springs linear and with their true forces, finite elements linear."""
+    ours = {}
+    for row in rows:
+        e = row["experiment"]
+        if e.role == "shear":
+            key = (e.object, e.cells, row["fit"], row["kinematics"], e.deformation_percent)
+            ours[key] = " / ".join(f"{float(row[q]):.2f}" for q in ERRORS)
+    body = []
+    for object_, cells, case, *_ in objects_of("6"):
+        for fit, paper in errors_published("6", object_, cells, case).items():
+            found = [ours.get((object_, cells, fit, "linear", SHEAR_PERCENT[0]))]
+            found += [ours.get((object_, cells, fit, "nonlinear", percent))
+                      for percent in SHEAR_PERCENT]
+            if found[0]:
+                body.append([f"{object_}, {cells}", f"`{fit}`", paper,
+                             *(text or "-" for text in found)])
+    return _table(["object", "fit", "paper", "linear springs",
+                   *(f"true forces, {percent} %" for percent in SHEAR_PERCENT)], body)
 
 
 def other_loads(rows):

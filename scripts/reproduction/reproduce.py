@@ -156,6 +156,7 @@ def main():
             "summary": page.summary(rows, remarks), "spread": page.spread_tables(rows),
             "times": page.times_table(time_lines), "sweep": page.sweep_summary(sweeps),
             "large": page.large_matrix(of_table["3"]), "loads": page.other_loads(rows),
+            "large_shear": page.large_shear(rows),
             "pictures": shown, "curves": "\n".join(curves), "problems": page.problems(experiments)}
     for table in of_table:
         # Table 3 has all pairs of models in a table of its own.

@@ -78,6 +78,12 @@ def _figures(table, object_, cells, case):
     return figures
 
 
+def errors_published(table, object_, cells, case):
+    """{fit: 'e_rms / e_max' as published}"""
+    return {fit: " / ".join(of_fit[q] for q in ERRORS)
+            for (fit, _), of_fit in _figures(table, object_, cells, case).items()}
+
+
 def objects_of(table):
     """(object, cells, case, nodes, cells) of a table, in the paper's order."""
     found = []
