@@ -6,7 +6,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace springfit
@@ -73,6 +75,20 @@ namespace springfit
         discretization.dof(body.first_node(term), 0));
     }
 
+    /** m: how far the last digit of the nodes' places reaches. */
+    template <int dim>
+    double
+    rounding_of_places(const Discretization<dim> &discretization,
+                       const Eigen::MatrixXd &displacement)
+    {
+      double farthest = displacement.cwiseAbs().maxCoeff();
+      for (const auto &vertex :
+           discretization.mesh().triangulation.get_vertices())
+        for (int d = 0; d < dim; ++d)
+          farthest = std::max(farthest, std::abs(vertex[d]));
+      return std::numeric_limits<double>::epsilon() * farthest;
+    }
+
     Eigen::MatrixXd
     positive_part(const Eigen::MatrixXd &symmetric)
     {
@@ -94,8 +110,9 @@ namespace springfit
     state.energy = 0.;
     state.forces.reinit(discretization.locally_owned(),
                         discretization.communicator());
-    tangent     = 0.;
-    bool finite = true;
+    tangent               = 0.;
+    bool finite           = true;
+    double square_hessian = 0.; // of all terms
     LocalContribution<dim> contribution(discretization);
     for (unsigned int t = 0; t < body.n_terms() && finite; ++t)
       if (is_mine(discretization, body, t))
@@ -106,6 +123,7 @@ namespace springfit
           if (!finite)
             break;
           state.energy += term->energy;
+          square_hessian += term->hessian.squaredNorm();
           contribution.set_nodes(term->nodes);
           contribution.add(term->gradient, state.forces);
           contribution.add(term->hessian, tangent);
@@ -114,6 +132,10 @@ namespace springfit
     state.forces.compress(dealii::VectorOperation::add);
     state.energy =
       dealii::Utilities::MPI::sum(state.energy, discretization.communicator());
+    state.rounding =
+      rounding_of_places(discretization, displacement) *
+      std::sqrt(dealii::Utilities::MPI::sum(square_hessian,
+                                            discretization.communicator()));
     const int all_finite =
       dealii::Utilities::MPI::min(finite ? 1 : 0,
                                   discretization.communicator());

@@ -2,7 +2,7 @@
 #include <springfit/response/assembly.h>
 #include <springfit/response/newton.h>
 
-#include <cmath>
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -22,6 +22,7 @@ namespace springfit
       Eigen::MatrixXd displacement;
       double potential; // U - f . u, J
       Vector leftover;  // f - grad U, N
+      double rounding;  // of leftover, N
     };
 
     template <int dim>
@@ -50,7 +51,10 @@ namespace springfit
         auto state = assemble(discretization_, body_, displacement, tangent_);
         if (!state)
           return {};
-        LoadedState<dim> loaded{displacement, state->energy, forces_};
+        LoadedState<dim> loaded{displacement,
+                                state->energy,
+                                forces_,
+                                state->rounding};
         loaded.potential -= forces_ * discretization_.to_vector(displacement);
         loaded.leftover -= state->forces;
         return loaded;
@@ -123,7 +127,7 @@ namespace springfit
       {
         const double leftover = state->leftover.l2_norm();
         result.residuals.push_back(leftover / load);
-        if (leftover <= tolerance * load)
+        if (leftover <= std::max(tolerance * load, state->rounding))
           return result;
 
         const auto direction = loaded.direction(*state);

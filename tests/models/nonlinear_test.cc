@@ -472,6 +472,39 @@ TEST(NonlinearStatics, NeoHookeanBarWithoutLateralContraction)
     }
 }
 
+TEST(NonlinearStatics, TinyLoadsGiveTheLinearResponse)
+{
+  // The forces' rounding errors are a part of the load far above the
+  // tolerance; strains of 1e-8 are what sets the models apart.
+  const Bar<3> bar;
+  const MaterialTable materials = {{0, solid_material(1e4, 0.3)}};
+  oracle::Random random(29);
+  const auto network = full_network(*bar.mesh, random);
+  const auto statics = oracle::make_step<Statics<3>>(
+    "subsection Response\n set Material law = neo-hookean\n"
+    " set Tolerance = 1e-15\nend");
+  const auto check =
+    [&](const Model &linear, const Model &nonlinear, const double stress) {
+      const Eigen::MatrixXd forces = bar.pull(stress, 1.);
+      const auto expected          = linear.respond(forces);
+      const auto found             = nonlinear.respond(forces);
+      EXPECT_EQ(found.failure, "");
+      EXPECT_LT((found.displacement - expected.displacement).norm(),
+                1e-6 * expected.displacement.norm());
+    };
+  check(*statics->linear_finite_elements(bar.discretization,
+                                         bar.element,
+                                         materials),
+        *statics->finite_elements(bar.discretization, bar.element, materials),
+        1e-4);
+  const auto springs = [&](const Kinematics kinematics) {
+    return statics->springs(
+      bar.discretization, bar.element, network, "test", kinematics);
+  };
+  // Springs of 1 N/m in cells of 0.01 m.
+  check(*springs(Kinematics::linear), *springs(Kinematics::nonlinear), 1e-6);
+}
+
 TEST(NonlinearStatics, AColumnBucklesWhereEulerSays)
 {
   // A cantilever as thick as it is long is no slender column, but Euler's

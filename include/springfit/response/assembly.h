@@ -18,6 +18,12 @@ namespace springfit
 
     /** The forces in N that hold the state; zero where nodes are fixed. */
     typename Discretization<dim>::Vector forces;
+
+    /**
+     * The rounding errors in the norm of the forces, estimated, in N: what
+     * errors of the nodes' places in the last digit change.
+     */
+    double rounding;
   };
 
   /**

@@ -34,7 +34,8 @@ namespace springfit
    * left over is accepted as well.
    *
    * @param forces f, zero where nodes are fixed; not all zero
-   * @param tolerance for the norm of the forces left over, relative to f
+   * @param tolerance for the norm of the forces left over, relative to f; as
+   * much as rounding errors leave over is accepted too, be it more
    */
   template <int dim>
   NewtonResult<dim>
