@@ -3,12 +3,20 @@
 #   pvbatch scripts/picture.py output/cube torsion spectral doc/cube.png
 #
 # Left, the finite elements, coloured by displacement; middle, the springs of a
-# fit, coloured by stiffness; right, the error of the fit. Deformation x 3. On a
+# fit (or frobenius_nonlinear), coloured by stiffness; right, the error of the
+# fit. Deformation x 3. On a
 # machine without a screen: xvfb-run -a pvbatch ...
+import pathlib
 import sys
 from paraview.simple import *
 
 folder, case, fit, picture = sys.argv[1:5]
+network = fit[:-len("_nonlinear")] if fit.endswith("_nonlinear") else fit
+for needed in (f"{case}_fem", f"{case}_{fit}", f"springs_{network}"):
+    if not (pathlib.Path(folder) / f"{needed}.vtu").exists():
+        there = sorted(file.stem for file in pathlib.Path(folder).glob("*.vtu"))
+        sys.exit(f"picture.py: there is no {needed}.vtu in {folder}, but: "
+                 + ", ".join(there))
 
 
 def panel(source, array, title, layout, cell, representation="Surface With Edges"):
@@ -56,7 +64,8 @@ layout.SplitHorizontal(2, 0.5)
 
 panel(warped(f"{case}_fem", "displacement"), "displacement",
       "finite elements: displacement, m", layout, 1)
-springs = warped(f"springs_{fit}", f"displacement_{case}")
+springs = warped(f"springs_{network}",
+                 f"displacement_{case}{fit[len(network):]}")
 panel(springs, "k", f"springs, {fit} fit: k, N/m", layout, 5, "Wireframe")
 panel(warped(f"{case}_{fit}", "displacement"), "error",
       "error of the springs, m", layout, 6)

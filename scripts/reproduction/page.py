@@ -4,7 +4,8 @@ import platform
 import subprocess
 
 from experiments import LAWS, SHEAR_PERCENT, SIMILAR_MESHES, SPRINGS_ONLY, SWEEPS
-from tables import ERRORS, best_rows, errors_published, objects_of, spread
+from tables import (ERRORS, best_rows, errors_published, figures_published, objects_of,
+                    place_in_spread, spread)
 
 PAPER = ("S. Natsupakpong and M. C. Cavusoglu, Determination of elasticity parameters in "
          "lumped element (mass-spring) models of deformable objects, Graphical Models 72 "
@@ -95,7 +96,6 @@ def spread_tables(rows):
         for object_, cells, case, *_ in objects_of(table):
             if (object_, cells) in SIMILAR_MESHES:
                 asked.setdefault((object_, cells, case), []).append(table)
-    from tables import _figures
     body = []
     for (object_, cells, case), tables in asked.items():
         values, sizes = spread(rows, object_, cells, case)
@@ -103,7 +103,7 @@ def spread_tables(rows):
             continue
         figures = {}
         for table in tables:
-            for key, found in _figures(table, object_, cells, case).items():
+            for key, found in figures_published(table, object_, cells, case).items():
                 figures.setdefault(key, {}).update(found)
         nodes, n_cells = [n for n, _ in sizes], [c for _, c in sizes]
         first = (f"{object_}, {cells}, {case}: {len(sizes)} meshes of {min(nodes)} to "
@@ -117,15 +117,11 @@ def spread_tables(rows):
                 paper = figures[(fit, enrichment)].get(quantity)
                 if paper is None:
                     continue
-                # Published figures are rounded to their last digit.
-                half = 0.5 * 10. ** -len(paper.split(".")[1])
-                inside = numbers[0] - half <= float(paper) <= numbers[-1] + half
                 body.append([first, f"`{fit}{', k >= 0' if nonnegative else ''}`",
                              quantity.replace("_percent", ""),
                              *(_number(quantity, x) for x in
                                (numbers[0], numbers[len(numbers) // 2], numbers[-1])),
-                             paper, "inside" if inside else
-                             ("below" if float(paper) < numbers[0] else "above")])
+                             paper, place_in_spread(paper, numbers)])
                 first = ""
     return _table(["meshes", "fit", "figure", "lowest", "median", "highest", "paper",
                    "the paper's lies"], body)

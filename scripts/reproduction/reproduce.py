@@ -133,7 +133,7 @@ def main():
     runs = folder / "runs"
     runs.mkdir(parents=True, exist_ok=True)
     shutil.rmtree(folder / "pictures", ignore_errors=True)
-    experiments = [e for e in all_experiments() if (TOP / e.scene).exists()]
+    experiments = all_experiments()
     run_all(experiments, PROGRAM, TOP, runs, arguments.reuse)
     seconds = benchmark(folder, arguments.reuse)
 

@@ -3,7 +3,7 @@ import csv
 import dataclasses
 import pathlib
 
-from experiments import LAWS, SPRINGS_ONLY
+from experiments import LAWS, SIMILAR_MESHES, SPRINGS_ONLY
 from runs import read_csv
 
 HERE = pathlib.Path(__file__).parent
@@ -68,7 +68,7 @@ def _numbers(row, quantities):
     return {q: float(row[q]) for q in quantities if row[q]}
 
 
-def _figures(table, object_, cells, case):
+def figures_published(table, object_, cells, case):
     """Published figures by (fit, enrichment), then by quantity."""
     figures = {}
     for row in published():
@@ -81,7 +81,7 @@ def _figures(table, object_, cells, case):
 def errors_published(table, object_, cells, case):
     """{fit: 'e_rms / e_max' as published}"""
     return {fit: " / ".join(of_fit[q] for q in ERRORS)
-            for (fit, _), of_fit in _figures(table, object_, cells, case).items()}
+            for (fit, _), of_fit in figures_published(table, object_, cells, case).items()}
 
 
 def objects_of(table):
@@ -101,13 +101,33 @@ def _order(figures, fit, enrichment, nonnegative):
     return (position, known.index(fit) if fit in known else 99, enrichment != "none", nonnegative)
 
 
+def place_in_spread(paper, numbers):
+    """Where a published figure lies among sorted ones of similar meshes; it is
+    rounded to its last digit."""
+    half = 0.5 * 10. ** -len(paper.split(".")[1])
+    if float(paper) < numbers[0] - half:
+        return "below"
+    return "above" if float(paper) > numbers[-1] + half else "inside"
+
+
+def _spread_remark(line, rows):
+    """"paper's e_rms inside, e_max below the spread of similar meshes\""""
+    if TABLES[line.table][0] != "tables" or (line.object, line.cells) not in SIMILAR_MESHES:
+        return ""
+    values, _ = spread(rows, line.object, line.cells, line.case)
+    of_fit = values.get((line.fit, line.enrichment, line.nonnegative), {})
+    places = [f"{quantity.replace('_percent', '')} {place_in_spread(line.paper[quantity], of_fit[quantity])}"
+              for quantity in line.quantities if quantity in line.paper and quantity in of_fit]
+    return f"paper's {', '.join(places)} the spread of similar meshes" if places else ""
+
+
 def lines_of(table, rows, remarks):
     """The lines of a table, ours beside the published ones. A fit that has no
     negative spring has no second line for k >= 0."""
     role, quantities, fits = TABLES[table]
     lines = []
     for object_, cells, case, _, _ in objects_of(table):
-        figures = _figures(table, object_, cells, case)
+        figures = figures_published(table, object_, cells, case)
         group, signed = [], {}
         for row in rows:
             experiment = row["experiment"]
@@ -142,6 +162,7 @@ def lines_of(table, rows, remarks):
             said.append(f"{line.row['n_negative']} of {line.row['n_springs']} springs negative")
         if line.paper:
             said += remarks_on(remarks, line)
+            said += filter(None, [_spread_remark(line, rows)])
         line.remark = "; ".join(said)
     return lines
 
@@ -155,7 +176,7 @@ def best_rows(rows):
             if table == "5" and object_ == "cube":
                 continue  # in Table 1
             figures = {fit: float(q["e_rms_percent"])
-                       for (fit, _), q in _figures(table, object_, cells, case).items()}
+                       for (fit, _), q in figures_published(table, object_, cells, case).items()}
             ours = {}
             for row in rows:
                 e = row["experiment"]

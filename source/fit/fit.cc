@@ -1,3 +1,4 @@
+#include <springfit/core/error.h>
 #include <springfit/fit/barrier_engine.h>
 #include <springfit/fit/baudet.h>
 #include <springfit/fit/block.h>

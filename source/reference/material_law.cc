@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace springfit
 {
@@ -50,10 +51,11 @@ namespace springfit
      * The square c of the stretch across a plane without stress: the root of
      * mu (c - 1) + lambda ln J = 0, ln J = ln J_plane + ln(c) / 2, times
      * 1 - lambda* / (2 mu) so that the equation holds for every nu <= 0.5.
-     * Newton's method in ln c: the function is convex and rising there, and
-     * the start is right of the root or one step away from it.
+     * Newton's method in ln c: for nu >= 0 the function is convex and rising,
+     * and the start is right of the root or one step away from it. For nu < 0
+     * there may be no root under much compression: nothing then.
      */
-    double
+    std::optional<double>
     squared_stretch_across(const double log_J_plane, const LameConstants &lame)
     {
       const double p = lame.mu - 0.5 * lame.lambda;
@@ -65,10 +67,10 @@ namespace springfit
             p * (c - 1.) + lame.lambda * (log_J_plane + 0.5 * log_c);
           const double change = -value / (p * c + 0.5 * lame.lambda);
           log_c += change;
-          if (std::abs(change) <= 1e-15 * (1. + std::abs(log_c)))
-            break;
+          if (std::abs(change) <= 1e-14 * (1. + std::abs(log_c)))
+            return std::exp(log_c);
         }
-      return std::exp(log_c);
+      return {};
     }
   } // namespace
 
@@ -124,10 +126,14 @@ namespace springfit
     const double J_plane = F.determinant();
     if (!(J_plane > 0.))
       return {};
-    const double mu         = lame.mu;
-    const double c          = squared_stretch_across(std::log(J_plane), lame);
-    const double log_J      = std::log(J_plane) + 0.5 * std::log(c);
-    const Eigen::Matrix2d C = F.transpose() * F;
+    const auto squared_stretch =
+      squared_stretch_across(std::log(J_plane), lame);
+    if (!squared_stretch)
+      return {};
+    const double mu               = lame.mu;
+    const double c                = *squared_stretch;
+    const double log_J            = std::log(J_plane) + 0.5 * std::log(c);
+    const Eigen::Matrix2d C       = F.transpose() * F;
     const Eigen::Matrix2d inverse = C.inverse();
 
     // lambda ln J = mu (1 - c), whatever lambda is.

@@ -67,7 +67,14 @@ namespace springfit
                                                    : &no_rows_);
         parameters.set("PDE equations", dim);
         parameters.set("ML output", 0);
-        preconditioner_.initialize(matrix, parameters);
+        try
+          {
+            preconditioner_.initialize(matrix, parameters);
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            throw RunError("no multigrid hierarchy could be made.");
+          }
       }
 
       Vector
@@ -85,6 +92,11 @@ namespace springfit
           {
             throw RunError("conjugate gradients did not converge in " +
                            std::to_string(control.last_step()) + " steps.");
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            throw RunError("conjugate gradients broke down: the matrix is not "
+                           "positive definite.");
           }
         return displacement;
       }

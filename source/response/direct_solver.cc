@@ -36,7 +36,15 @@ namespace springfit
       {
         Vector displacement(forces);
         Vector right_hand_side(forces);
-        solver_.solve(displacement, right_hand_side);
+        try
+          {
+            solver_.solve(displacement, right_hand_side);
+          }
+        catch (const dealii::ExceptionBase &)
+          {
+            throw RunError("the factors of the stiffness matrix give no "
+                           "solution.");
+          }
         return displacement;
       }
 

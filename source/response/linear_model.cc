@@ -74,7 +74,9 @@ namespace springfit
       }
     timer.stop();
     return {discretization_.to_nodal(displacement),
-            seconds_ + timer.wall_time()};
+            seconds_ + timer.wall_time(),
+            1.,
+            {}};
   }
 
   template class LinearModel<2>;

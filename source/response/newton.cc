@@ -2,6 +2,8 @@
 #include <springfit/response/assembly.h>
 #include <springfit/response/newton.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>

@@ -58,12 +58,15 @@ namespace springfit
     }
 
     ModelWords
-    words_of_nonlinear_springs(const std::string &fit)
+    words_of_nonlinear_springs(const std::string &fit,
+                               const SpringNetwork &network)
     {
+      const unsigned int n = n_negative(network);
       return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
-              "Set a smaller 'Deformation' in section Loads, or 'Nonnegative "
-              "= true' in section Fit if springs of negative stiffness are the "
-              "cause."};
+              "Set a smaller 'Deformation' in section Loads" +
+                (n > 0 ? ", or 'Nonnegative = true' in section Fit: " +
+                           std::to_string(n) + " springs are negative."
+                       : ".")};
     }
 
     /** Why a state is no equilibrium to go on from. */
@@ -250,7 +253,7 @@ namespace springfit
                                   std::make_unique<NetworkBody<dim>>(network),
                                   solver_factory(discretization,
                                                  smallest_cg_nonlinear<dim>),
-                                  words_of_nonlinear_springs(name),
+                                  words_of_nonlinear_springs(name, network),
                                   tolerance_);
     return std::make_unique<LinearModel<dim>>(
       discretization,

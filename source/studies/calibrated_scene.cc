@@ -8,6 +8,8 @@
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/studies/calibrated_scene.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +26,18 @@ namespace springfit
     {
       char text[512];
       std::snprintf(text, sizeof(text), format, arguments...);
+      return text;
+    }
+
+    /** "0.02 x 0.02 x 0.02": wrong units of a file show there. */
+    template <int dim>
+    std::string
+    extents(const Mesh<dim> &mesh)
+    {
+      const dealii::BoundingBox<dim> box(mesh.triangulation.get_vertices());
+      std::string text;
+      for (int d = 0; d < dim; ++d)
+        text += (d > 0 ? " x " : "") + formatted("%.4g", box.side_length(d));
       return text;
     }
 
@@ -165,10 +179,11 @@ namespace springfit
         cell_matrices.volume(cell) *
         calibrated.materials.at(cell->material_id()).thickness;
 
-    session.print(formatted("Mesh: %u nodes, %u %s, %.6g m^3\n",
+    session.print(formatted("Mesh: %u nodes, %u %s, %s m, %.6g m^3\n",
                             mesh.triangulation.n_vertices(),
                             mesh.triangulation.n_active_cells(),
                             word_of(cell_kind_words(), mesh.cell_kind).c_str(),
+                            extents(mesh).c_str(),
                             calibrated.volume));
     session.print(format_boundary_table<dim>(boundary_table(mesh)));
     const auto mesh_materials = material_table(mesh);

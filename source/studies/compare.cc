@@ -193,6 +193,8 @@ namespace springfit
                              const std::string &load_case,
                              const Equilibrium &equilibrium,
                              const NodalField &field) {
+        if (equilibrium.load_fraction == 0.)
+          return; // nothing was found
         const std::string file =
           load_case + '_' + name + suffix(equilibrium) + ".vtu";
         write_mesh_vtu(folder / file,

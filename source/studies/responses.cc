@@ -5,6 +5,10 @@
 #include <springfit/response/discretization.h>
 #include <springfit/studies/responses.h>
 
+#include <cmath>
+#include <memory>
+#include <string>
+
 namespace springfit
 {
   namespace
@@ -73,6 +77,57 @@ namespace springfit
         }
     }
 
+    /** What is left of a response that threw, the same on all ranks. */
+    Equilibrium
+    nothing_found(const LoadCase &load_case, const RunError &error)
+    {
+      return {Eigen::MatrixXd::Zero(load_case.forces.rows(),
+                                    load_case.forces.cols()),
+              0.,
+              0.,
+              error.what()};
+    }
+
+    /** A failure of one network leaves the results of the others. */
+    template <int dim>
+    void
+    solve_network(const Scene<dim> &scene,
+                  const Discretization<dim> &discretization,
+                  const CalibratedScene<dim> &calibrated,
+                  const std::size_t number,
+                  const Kinematics kinematics,
+                  Session &session,
+                  std::vector<CaseResult> &results)
+    {
+      const auto &network = calibrated.networks[number];
+      std::unique_ptr<Model> model;
+      const auto respond = [&](const LoadCase &load_case) {
+        try
+          {
+            if (!model)
+              model = scene.statics.springs(discretization,
+                                            calibrated.element,
+                                            network.network,
+                                            network.name,
+                                            kinematics);
+            return model->respond(load_case.forces);
+          }
+        catch (const RunError &error)
+          {
+            return nothing_found(load_case, error);
+          }
+      };
+      for (auto &result : results)
+        if (is_complete(result.reference))
+          {
+            result.networks.push_back(
+              {number, kinematics, respond(result.load_case)});
+            warn_of_failure(result,
+                            result.networks.back().equilibrium,
+                            session);
+          }
+    }
+
     template <int dim>
     void
     solve_networks(const Scene<dim> &scene,
@@ -83,35 +138,23 @@ namespace springfit
     {
       const auto all_kinematics = scene.statics.kinematics();
       Progress progress("Responses of the springs",
-                        calibrated.networks.size() * all_kinematics.size() *
-                          results.size(),
+                        calibrated.networks.size() * all_kinematics.size(),
                         session.is_root());
       for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
         {
-          const auto &network = calibrated.networks[n];
           dealii::TimerOutput::Scope scope(session.timer(),
-                                           "Springs, " + network.name);
+                                           "Springs, " +
+                                             calibrated.networks[n].name);
           for (const Kinematics kinematics : all_kinematics)
             {
-              const auto model = scene.statics.springs(discretization,
-                                                       calibrated.element,
-                                                       network.network,
-                                                       network.name,
-                                                       kinematics);
-              for (auto &result : results)
-                {
-                  if (is_complete(result.reference))
-                    {
-                      result.networks.push_back(
-                        {n,
-                         kinematics,
-                         model->respond(result.load_case.forces)});
-                      warn_of_failure(result,
-                                      result.networks.back().equilibrium,
-                                      session);
-                    }
-                  progress.step();
-                }
+              solve_network(scene,
+                            discretization,
+                            calibrated,
+                            n,
+                            kinematics,
+                            session,
+                            results);
+              progress.step();
             }
         }
     }
@@ -127,6 +170,11 @@ namespace springfit
     const Discretization<dim> discretization(*calibrated.mesh,
                                              loading.fixed,
                                              session.communicator());
+    if (loading.deformation > 1.)
+      session.warn("The loads shall deform the object by " +
+                   std::to_string(std::lround(100. * loading.deformation)) +
+                   " % of its extent: 'Deformation' in section Loads is a "
+                   "fraction, 0.1 means 10 %.");
     std::vector<CaseResult> results;
     {
       dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
