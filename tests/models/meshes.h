@@ -84,6 +84,19 @@ namespace springfit::oracle
     return build_mesh<dim>(description);
   }
 
+  /** The vertices of a mesh in m, dim x n_nodes. */
+  template <int dim>
+  Eigen::MatrixXd
+  nodes_of(const Mesh<dim> &mesh)
+  {
+    const auto &vertices = mesh.triangulation.get_vertices();
+    Eigen::MatrixXd nodes(dim, vertices.size());
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      for (int d = 0; d < dim; ++d)
+        nodes(d, v) = vertices[v][d];
+    return nodes;
+  }
+
   /**
    * A step that owns a section of the parameter file, with some of its entries
    * set: @p entries is "subsection Loads\n set Cases = tension\nend".

@@ -17,6 +17,7 @@
 #include "meshes.h"
 
 using namespace springfit;
+using oracle::nodes_of;
 
 namespace
 {
@@ -45,18 +46,6 @@ namespace
   usual_material(const double E, const double nu)
   {
     return dim == 2 ? sheet_material(E, nu) : solid_material(E, nu);
-  }
-
-  template <int dim>
-  Eigen::MatrixXd
-  nodes_of(const Mesh<dim> &mesh)
-  {
-    const auto &vertices = mesh.triangulation.get_vertices();
-    Eigen::MatrixXd nodes(dim, vertices.size());
-    for (unsigned int v = 0; v < vertices.size(); ++v)
-      for (int d = 0; d < dim; ++d)
-        nodes(d, v) = vertices[v][d];
-    return nodes;
   }
 
   Eigen::MatrixXd

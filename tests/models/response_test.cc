@@ -15,6 +15,7 @@
 #include "meshes.h"
 
 using namespace springfit;
+using oracle::nodes_of;
 
 namespace
 {
@@ -31,18 +32,6 @@ namespace
               dim == 2 ? lame_constants_plane_stress(constants)
                        : lame_constants(constants),
               thickness}}};
-  }
-
-  template <int dim>
-  Eigen::MatrixXd
-  nodes_of(const Mesh<dim> &mesh)
-  {
-    const auto &vertices = mesh.triangulation.get_vertices();
-    Eigen::MatrixXd nodes(dim, vertices.size());
-    for (unsigned int v = 0; v < vertices.size(); ++v)
-      for (int d = 0; d < dim; ++d)
-        nodes(d, v) = vertices[v][d];
-    return nodes;
   }
 
   template <int dim>
