@@ -127,15 +127,7 @@ namespace springfit
       return side_of(points, request.size);
     });
 
-    mesh.boundary_names = {{0, "x min"},
-                           {1, "x max"},
-                           {2, "y min"},
-                           {3, "y max"}};
-    if (request.dim == 3)
-      {
-        mesh.boundary_names[4] = "z min";
-        mesh.boundary_names[5] = "z max";
-      }
+    mesh.boundary_names = names_of_sides(request.dim);
     return mesh;
   }
 } // namespace springfit

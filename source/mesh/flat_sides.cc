@@ -26,4 +26,18 @@ namespace springfit
       return p[direction] == position;
     });
   }
+
+
+  std::map<unsigned int, std::string>
+  names_of_sides(const int dim)
+  {
+    std::map<unsigned int, std::string> names;
+    for (int d = 0; d < dim; ++d)
+      {
+        const std::string axis(1, "xyz"[d]);
+        names[2 * d]     = axis + " min";
+        names[2 * d + 1] = axis + " max";
+      }
+    return names;
+  }
 } // namespace springfit

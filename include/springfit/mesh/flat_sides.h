@@ -3,6 +3,8 @@
 
 #include <springfit/mesh/mesh_description.h>
 
+#include <map>
+#include <string>
 #include <vector>
 
 namespace springfit
@@ -23,6 +25,13 @@ namespace springfit
   lie_in_plane(const std::vector<MeshPoint> &points,
                unsigned int direction,
                double position);
+
+  /**
+   * The boundary ids of an object with an end in each direction, and their
+   * names: 0 "x min", 1 "x max", 2 "y min", ...; 2 @p dim of them.
+   */
+  std::map<unsigned int, std::string>
+  names_of_sides(int dim);
 } // namespace springfit
 
 #endif
