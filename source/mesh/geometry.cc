@@ -3,7 +3,9 @@
 #include <springfit/core/words.h>
 #include <springfit/mesh/build_mesh.h>
 #include <springfit/mesh/geometry.h>
+#include <springfit/mesh/jitter.h>
 #include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/sizes.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
@@ -74,6 +76,13 @@ namespace springfit
       "tetrahedra, its thickness; the radius of a hole; a quarter "
       "of the tissue's smaller extent. The largest edge that a geometry file is meshed with; a "
       "mesh file has its own. Not for a cell. In m.");
+    add_parameter("Jitter",
+                  jitter_,
+                  "Distort the mesh: each coordinate of every vertex inside "
+                  "the object moves by a random number between -Jitter and "
+                  "Jitter times the shortest edge that meets there, the same "
+                  "in every run. Boundaries stay as they are, interfaces of "
+                  "materials move. At least 0, less than 0.5. No unit.");
     add_parameter("File",
                   file_,
                   "Mesh file (.msh 1 to 4, .vtk, .inp, .unv, .mesh, .bdf) or "
@@ -133,6 +142,11 @@ namespace springfit
                                    : "tetrahedra or hexahedra") +
                          ", or change Dimension.");
     object.check(request);
+    if (!(jitter_ >= 0. && jitter_ < 0.5))
+      throw EntryError("Geometry/Jitter",
+                       text_of(jitter_) + " is out of range.",
+                       "Give a fraction of the cells' edges, at least 0 and "
+                       "less than 0.5.");
   }
 
 
@@ -156,6 +170,8 @@ namespace springfit
     run_on_root(communicator, [&]() {
       description = find_object(object_).describe(request(folder_of_prm));
       check_mesh(description);
+      if (jitter_ > 0.)
+        jitter(description, jitter_);
     });
     description =
       dealii::Utilities::MPI::broadcast(communicator, description, 0);

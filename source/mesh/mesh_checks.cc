@@ -218,6 +218,13 @@ namespace springfit
   }
 
 
+  bool
+  has_positive_jacobians(const MeshDescription &mesh, const unsigned int cell)
+  {
+    return orientation_of(mesh, cell) == Orientation::positive;
+  }
+
+
   void
   check_not_empty(const MeshDescription &mesh)
   {

@@ -64,6 +64,7 @@ namespace springfit
     std::string cells_  = dim == 2 ? "quadrilaterals" : "hexahedra";
     std::vector<double> size_;
     std::vector<double> cell_size_ = {0.0025};
+    double jitter_                 = 0.;
     std::string file_;
     double scale_ = 1.;
   };

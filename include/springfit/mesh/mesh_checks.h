@@ -66,6 +66,10 @@ namespace springfit
   std::vector<double>
   scaled_jacobians(const MeshDescription &mesh, unsigned int cell);
 
+  /** Whether they all are positive, beyond rounding error. */
+  bool
+  has_positive_jacobians(const MeshDescription &mesh, unsigned int cell);
+
   /** "hexahedron 17 (around x = 0.01, y = 0, z = 0.2)", for messages. */
   std::string
   describe_cell(const MeshDescription &mesh, unsigned int cell);
