@@ -20,6 +20,37 @@ namespace springfit
       return pairs;
     }
 
+    /** The vertices that an edge connects with @p vertex, ascending. */
+    std::vector<unsigned int>
+    edge_neighbours(const CellKind kind, const unsigned int vertex)
+    {
+      std::vector<unsigned int> neighbours;
+      for (int v = 0; v < n_vertices(kind); ++v)
+        {
+          const unsigned int other = v;
+          if (other != vertex &&
+              (is_simplex(kind) || edge_axis({{vertex, other}})))
+            neighbours.push_back(other);
+        }
+      return neighbours;
+    }
+
+    /** Two edges of a vertex of these cells always have a face in common. */
+    std::vector<NodeTriple>
+    angles_between_edges(const CellKind kind)
+    {
+      std::vector<NodeTriple> angles;
+      for (int v = 0; v < n_vertices(kind); ++v)
+        {
+          const unsigned int middle = v;
+          const auto ends           = edge_neighbours(kind, middle);
+          for (std::size_t a = 0; a < ends.size(); ++a)
+            for (std::size_t c = a + 1; c < ends.size(); ++c)
+              angles.push_back({{ends[a], middle, ends[c]}});
+        }
+      return angles;
+    }
+
     Permutations
     all_permutations(const unsigned int n)
     {
@@ -73,6 +104,13 @@ namespace springfit
   {
     return made_once_per_kind<std::vector<NodePair>>(
       kind, [](const CellKind k) { return all_pairs(n_vertices(k)); });
+  }
+
+  const std::vector<NodeTriple> &
+  cell_angles(const CellKind kind)
+  {
+    return made_once_per_kind<std::vector<NodeTriple>>(kind,
+                                                       angles_between_edges);
   }
 
   std::optional<int>

@@ -12,45 +12,16 @@
 #include <stdexcept>
 
 #include "cells.h"
+#include "derivative.h"
 
 using namespace springfit;
 using springfit::oracle::all_kinds;
+using springfit::oracle::derivative;
 using springfit::oracle::Random;
+using springfit::oracle::scalar;
 
 namespace
 {
-  Eigen::VectorXd
-  flat(const Eigen::MatrixXd &points)
-  {
-    return Eigen::Map<const Eigen::VectorXd>(points.data(), points.size());
-  }
-
-  /** Central differences; column i is the derivative to coordinate i. */
-  template <typename F>
-  Eigen::MatrixXd
-  derivative(const F &f, const Eigen::MatrixXd &points)
-  {
-    constexpr double h = 1e-5;
-    std::vector<Eigen::VectorXd> columns;
-    for (Eigen::Index i = 0; i < points.size(); ++i)
-      {
-        Eigen::MatrixXd plus = points, minus = points;
-        plus.data()[i] += h;
-        minus.data()[i] -= h;
-        columns.emplace_back((f(plus) - f(minus)) / (2. * h));
-      }
-    Eigen::MatrixXd matrix(columns[0].size(), columns.size());
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      matrix.col(i) = columns[i];
-    return matrix;
-  }
-
-  Eigen::VectorXd
-  scalar(const double value)
-  {
-    return Eigen::VectorXd::Constant(1, value);
-  }
-
   TEST(Volume, OfKnownBodies)
   {
     const auto regular = [](const CellKind kind) {

@@ -19,6 +19,19 @@ namespace springfit
   const std::vector<NodePair> &
   node_pairs(CellKind kind);
 
+  /** The ends and the middle of an angle: {end, middle, end}. */
+  using NodeTriple = std::array<unsigned int, 3>;
+
+  /**
+   * The angles of a cell's faces, between two edges that meet at a vertex: 3,
+   * 4, 12 or 24 of them. They are sorted by the middle vertex, then by the
+   * ends, of which the smaller one is the first: the first angle of a
+   * quadrilateral is {1, 0, 2}, those of a tetrahedron begin with {1, 0, 2},
+   * {1, 0, 3}, {2, 0, 3}, {0, 1, 2}.
+   */
+  const std::vector<NodeTriple> &
+  cell_angles(CellKind kind);
+
   /**
    * The axis of the reference cell along which an edge of a quadrilateral or
    * hexahedron runs; nothing for a diagonal.
