@@ -4,8 +4,6 @@
 #include <springfit/springs/generalised_spring.h>
 #include <springfit/springs/gradients.h>
 #include <springfit/springs/network.h>
-#include <springfit/springs/rigid_modes.h>
-#include <springfit/springs/volume.h>
 
 #include <gtest/gtest.h>
 
@@ -15,93 +13,12 @@
 #include "derivative.h"
 
 using namespace springfit;
-using springfit::oracle::all_kinds;
 using springfit::oracle::derivative;
 using springfit::oracle::Random;
 using springfit::oracle::scalar;
 
 namespace
 {
-  TEST(Volume, OfKnownBodies)
-  {
-    const auto regular = [](const CellKind kind) {
-      return volume(oracle::regular_cell(kind), kind);
-    };
-    EXPECT_NEAR(regular(CellKind::triangle), std::sqrt(3.) / 4., 1e-15);
-    EXPECT_NEAR(regular(CellKind::quadrilateral), 1., 1e-15);
-    EXPECT_NEAR(regular(CellKind::tetrahedron), std::sqrt(2.) / 12., 1e-15);
-    EXPECT_NEAR(regular(CellKind::hexahedron), 1., 1e-15);
-
-    // Gauss' shoelace formula; deal.II's last two vertices are swapped.
-    Random random(21);
-    const Eigen::MatrixXd x =
-      oracle::random_cell(CellKind::quadrilateral, random);
-    double twice                    = 0.;
-    const std::array<int, 4> around = {0, 1, 3, 2};
-    for (int v = 0; v < 4; ++v)
-      {
-        const int a = around[v], b = around[(v + 1) % 4];
-        twice += x(0, a) * x(1, b) - x(0, b) * x(1, a);
-      }
-    EXPECT_NEAR(volume(x, CellKind::quadrilateral), twice / 2., 1e-15);
-
-    // A frustum of a pyramid, height 1, between squares of side 2 and 1.
-    Eigen::MatrixXd frustum = oracle::regular_cell(CellKind::hexahedron);
-    for (int v = 0; v < 4; ++v)
-      frustum.col(v).head(2) = 2. * frustum.col(v).head(2).array() - 0.5;
-    EXPECT_NEAR(volume(frustum, CellKind::hexahedron),
-                (4. + 2. + 1.) / 3.,
-                1e-14);
-  }
-
-  TEST(Volume, DerivativesAgreeWithDifferences)
-  {
-    Random random(22);
-    for (const CellKind kind : all_kinds)
-      {
-        const Eigen::MatrixXd x = oracle::random_cell(kind, random);
-        const auto V            = [&](const Eigen::MatrixXd &y) {
-          return scalar(volume(y, kind));
-        };
-        const auto gradient = [&](const Eigen::MatrixXd &y) {
-          return volume_gradient(y, kind);
-        };
-        const Eigen::MatrixXd H = volume_hessian(x, kind);
-        EXPECT_LT((derivative(V, x).transpose() - gradient(x)).norm(), 1e-9);
-        EXPECT_LT((derivative(gradient, x) - H).norm(), 1e-9);
-        EXPECT_GT(H.norm(), 0.1);
-      }
-  }
-
-  TEST(Volume, RigidMotionsChangeNothing)
-  {
-    Random random(23);
-    for (const CellKind kind : all_kinds)
-      {
-        const int dim               = dimension(kind);
-        const Eigen::MatrixXd x     = oracle::random_cell(kind, random);
-        const Eigen::MatrixXd Q     = random.rotation(dim);
-        const Eigen::VectorXd t     = random.matrix(dim, 1);
-        const Eigen::MatrixXd moved = (Q * x).colwise() + t;
-        EXPECT_NEAR(volume(moved, kind), volume(x, kind), 1e-14);
-        EXPECT_LT(
-          (rigid_body_modes(x).transpose() * volume_gradient(x, kind)).norm(),
-          1e-14);
-        // A mirror image is inside out.
-        Eigen::MatrixXd mirrored = x;
-        mirrored.row(0) *= -1.;
-        EXPECT_NEAR(volume(mirrored, kind), -volume(x, kind), 1e-14);
-      }
-  }
-
-  TEST(Volume, TheNumberOfVerticesTellsTheKind)
-  {
-    for (const CellKind kind : all_kinds)
-      EXPECT_EQ(cell_kind(dimension(kind), n_vertices(kind)), kind);
-    EXPECT_THROW(cell_kind(2, 8), std::logic_error);
-  }
-
-
   /** The spring ends of a coupling as points: i_a, j_a, i_b, j_b. */
   template <int dim>
   void

@@ -16,9 +16,11 @@ namespace springfit
   // u = x_a - x_m and v = x_c - x_m throughout, in m.
   //
   // Where the angle is straight or folded the gradient has no direction and the
-  // Hessian no bound: ask is_degenerate_angle first. With p = u / |u|, q = v /
-  // |v| the unit vectors e = (cos theta p - q) / sin theta and f = (cos theta q
-  // - p) / sin theta are normal to the arms and point to where theta grows.
+  // Hessian no bound: ask is_degenerate_angle first.
+  //
+  // In the formulas p = u / |u|, q = v / |v|, and the unit vectors
+  // e = (cos theta p - q) / sin theta, f = (cos theta q - p) / sin theta:
+  // they are normal to the arms and point to where theta grows.
 
   /** |u x v|, in m^2. */
   template <int dim>
