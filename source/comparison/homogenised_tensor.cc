@@ -1,4 +1,5 @@
 #include <springfit/comparison/homogenised_tensor.h>
+#include <springfit/springs/gradients.h>
 
 #include <Eigen/LU>
 
@@ -8,18 +9,38 @@ namespace springfit
 {
   namespace
   {
-    /** A spring's elongation is this times the displacement gradient. */
+    /**
+     * The change of a coordinate with the gradient of an affine displacement,
+     * sum_v b_v x_v^T by rows, where b is its gradient with respect to the
+     * nodes x.
+     */
     Eigen::VectorXd
-    dyad(const SpringNetwork &network, const std::size_t spring)
+    affine_change(const Eigen::MatrixXd &nodes, const Eigen::VectorXd &gradient)
     {
-      const Eigen::Index dim  = network.nodes.rows();
-      const Eigen::VectorXd d = network.nodes.col(network.j[spring]) -
-                                network.nodes.col(network.i[spring]);
-      Eigen::VectorXd result(dim * dim);
-      for (Eigen::Index i = 0; i < dim; ++i)
-        for (Eigen::Index j = 0; j < dim; ++j)
-          result[dim * i + j] = d[i] * d[j] / d.norm();
-      return result;
+      const Eigen::Index dim = nodes.rows();
+      const Eigen::Map<const Eigen::MatrixXd> b(gradient.data(),
+                                                dim,
+                                                nodes.cols());
+      return (nodes * b.transpose()).reshaped();
+    }
+
+    /** Of the elongation of a spring. */
+    Eigen::VectorXd
+    affine_change(const SpringNetwork &network, const unsigned int spring)
+    {
+      Eigen::MatrixXd ends(network.nodes.rows(), 2);
+      ends << network.nodes.col(network.i[spring]),
+        network.nodes.col(network.j[spring]);
+      return affine_change(ends, length_gradients(ends, {{{0, 1}}}));
+    }
+
+    Eigen::VectorXd
+    affine_change(const SpringNetwork &network, const AngleSpring &spring)
+    {
+      Eigen::MatrixXd corner(network.nodes.rows(), 3);
+      for (unsigned int v = 0; v < 3; ++v)
+        corner.col(v) = network.nodes.col(spring.nodes[v]);
+      return affine_change(corner, angle_gradients(corner, {{{0, 1, 2}}}));
     }
   } // namespace
 
@@ -30,14 +51,20 @@ namespace springfit
     ElasticityTensor tensor = ElasticityTensor::Zero(dim * dim, dim * dim);
     for (std::size_t s = 0; s < network.stiffness.size(); ++s)
       {
-        const Eigen::VectorXd q = dyad(network, s);
+        const Eigen::VectorXd q = affine_change(network, s);
         tensor += network.stiffness[s] * q * q.transpose();
       }
     for (const auto &[a, b, stiffness] : network.couplings)
       {
-        const Eigen::MatrixXd term =
-          stiffness * dyad(network, a) * dyad(network, b).transpose();
+        const Eigen::MatrixXd term = stiffness * affine_change(network, a) *
+                                     affine_change(network, b).transpose();
         tensor += term + term.transpose();
+      }
+
+    for (const auto &spring : network.angles)
+      {
+        const Eigen::VectorXd q = affine_change(network, spring);
+        tensor += spring.stiffness * q * q.transpose();
       }
 
     // A volume changes by itself times the divergence.

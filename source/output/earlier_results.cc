@@ -11,9 +11,9 @@ namespace springfit
   {
     if (!std::filesystem::exists(folder / "used.prm"))
       return;
-    const std::regex results(
-      "(comparison|fit|nodes|cells|sweep|(springs|couplings|volumes)_.*|.*_fem)"
-      "\\.csv|.*\\.vtu|.*\\.pvd");
+    const std::regex results("(comparison|fit|nodes|cells|sweep|"
+                             "(springs|couplings|angles|volumes)_.*|.*_fem)"
+                             "\\.csv|.*\\.vtu|.*\\.pvd");
     std::vector<std::filesystem::path> files;
     for (const auto &entry : std::filesystem::directory_iterator(folder))
       if (entry.is_regular_file() &&

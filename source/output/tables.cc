@@ -86,6 +86,20 @@ namespace springfit
       return table;
     }
 
+    CsvTable
+    angles_table(const SpringNetwork &network)
+    {
+      CsvTable table("a,middle,c,k,rest_angle");
+      for (const auto &[nodes, stiffness, rest_angle] : network.angles)
+        {
+          table.new_row();
+          for (const unsigned int node : nodes)
+            table << node;
+          table.exactly(stiffness).exactly(rest_angle);
+        }
+      return table;
+    }
+
     /** The cells of a mesh are of one kind: all rows are of the same length. */
     CsvTable
     volumes_table(const SpringNetwork &network)
@@ -113,6 +127,8 @@ namespace springfit
     springs_table(network).write(folder / ("springs_" + name + ".csv"));
     if (!network.couplings.empty())
       couplings_table(network).write(folder / ("couplings_" + name + ".csv"));
+    if (!network.angles.empty())
+      angles_table(network).write(folder / ("angles_" + name + ".csv"));
     if (!network.volumes.empty())
       volumes_table(network).write(folder / ("volumes_" + name + ".csv"));
   }

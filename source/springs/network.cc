@@ -1,3 +1,4 @@
+#include <springfit/springs/angle.h>
 #include <springfit/springs/negative.h>
 #include <springfit/springs/network.h>
 
@@ -15,6 +16,49 @@ namespace springfit
       const auto [i, j] = std::minmax(vertices[pair[0]], vertices[pair[1]]);
       return {{i, j}};
     }
+
+    /** An angle of a cell by its nodes in the network. */
+    NodeTriple
+    nodes_of(const NodeTriple &angle, const std::vector<unsigned int> &vertices)
+    {
+      const auto [a, c] = nodes_of(NodePair{{angle[0], angle[2]}}, vertices);
+      return {{a, vertices[angle[1]], c}};
+    }
+
+    template <int dim>
+    double
+    rest_angle(const Eigen::MatrixXd &nodes, const NodeTriple &triple)
+    {
+      const auto [a, m, c] = triple;
+      const Vector<dim> u  = nodes.col(a) - nodes.col(m);
+      const Vector<dim> v  = nodes.col(c) - nodes.col(m);
+      if (is_degenerate_angle<dim>(u, v))
+        throw std::logic_error("an angle of the network is straight or folded");
+      return angle<dim>(u, v);
+    }
+
+    /**
+     * Sort the parts of a network by their @p key and add the stiffness of
+     * those that have the same one.
+     */
+    template <typename Part, typename Key>
+    std::vector<Part>
+    merged(std::vector<Part> parts, const Key &key)
+    {
+      // Stable, so that the sums do not depend on the sorting.
+      std::stable_sort(parts.begin(),
+                       parts.end(),
+                       [&](const Part &x, const Part &y) {
+                         return key(x) < key(y);
+                       });
+      std::vector<Part> result;
+      for (const auto &part : parts)
+        if (!result.empty() && key(result.back()) == key(part))
+          result.back().stiffness += part.stiffness;
+        else
+          result.push_back(part);
+      return result;
+    }
   } // namespace
 
   unsigned int
@@ -23,6 +67,13 @@ namespace springfit
     return n_negative(
       Eigen::Map<const Eigen::VectorXd>(network.stiffness.data(),
                                         network.stiffness.size()));
+  }
+
+  bool
+  has_springs_alone(const SpringNetwork &network)
+  {
+    return network.couplings.empty() && network.angles.empty() &&
+           network.volumes.empty();
   }
 
 
@@ -70,6 +121,22 @@ namespace springfit
 
 
   void
+  NetworkBuilder::add_angles(const std::vector<unsigned int> &vertices,
+                             const std::vector<NodeTriple> &triples,
+                             const Eigen::Ref<const Eigen::VectorXd> &k)
+  {
+    for (std::size_t t = 0; t < triples.size(); ++t)
+      {
+        const NodeTriple nodes = nodes_of(triples[t], vertices);
+        angles_.push_back({nodes,
+                           k[t],
+                           nodes_.rows() == 2 ? rest_angle<2>(nodes_, nodes)
+                                              : rest_angle<3>(nodes_, nodes)});
+      }
+  }
+
+
+  void
   NetworkBuilder::add_volume(const std::vector<unsigned int> &vertices,
                              const double stiffness,
                              const double rest_volume)
@@ -94,6 +161,8 @@ namespace springfit
     network.nodes   = nodes_;
     network.mass    = mass_;
     network.volumes = volumes_;
+    network.angles =
+      merged(angles_, [](const AngleSpring &spring) { return spring.nodes; });
     for (unsigned int i = 0; i < neighbours_.size(); ++i)
       {
         std::vector<Neighbour> row = neighbours_[i];
@@ -134,19 +203,8 @@ namespace springfit
           std::minmax({position(coupling.a), position(coupling.b)});
         all.push_back({a, b, coupling.stiffness});
       }
-    // Stable, so that the sums do not depend on the sorting.
-    std::stable_sort(all.begin(),
-                     all.end(),
-                     [](const LengthCoupling &x, const LengthCoupling &y) {
-                       return std::pair(x.a, x.b) < std::pair(y.a, y.b);
-                     });
-    std::vector<LengthCoupling> merged;
-    for (const auto &coupling : all)
-      if (!merged.empty() && merged.back().a == coupling.a &&
-          merged.back().b == coupling.b)
-        merged.back().stiffness += coupling.stiffness;
-      else
-        merged.push_back(coupling);
-    return merged;
+    return merged(all, [](const LengthCoupling &coupling) {
+      return std::pair(coupling.a, coupling.b);
+    });
   }
 } // namespace springfit

@@ -94,12 +94,6 @@ namespace springfit
                : young_poisson(part.lambda, part.mu);
     }
 
-    bool
-    springs_alone(const SpringNetwork &network)
-    {
-      return network.couplings.empty() && network.volumes.empty();
-    }
-
     /** Say what a network is as a material, and what it cannot be. */
     template <int dim>
     void
@@ -132,7 +126,7 @@ namespace springfit
 
       // Cauchy's relations: lambda = mu, whatever the constants of the springs.
       for (std::size_t n = 0; n < delivered.size(); ++n)
-        if (springs_alone(calibrated.networks[n].network))
+        if (has_springs_alone(calibrated.networks[n].network))
           {
             for (const double nu : wanted)
               if (differs(nu, delivered[n]))
@@ -148,7 +142,7 @@ namespace springfit
       // What other networks deliver is a mean over the materials.
       if (wanted.size() == 1)
         for (std::size_t n = 0; n < delivered.size(); ++n)
-          if (!springs_alone(calibrated.networks[n].network) &&
+          if (!has_springs_alone(calibrated.networks[n].network) &&
               differs(*wanted.begin(), delivered[n]))
             session.warn(formatted(
               "The network '%s' does not honour Poisson's ratio %.4g: that of "

@@ -49,8 +49,7 @@ namespace springfit
     bool
     can_be_unstable(const SpringNetwork &network)
     {
-      return n_negative(network) > 0 || !network.couplings.empty() ||
-             !network.volumes.empty();
+      return n_negative(network) > 0 || !has_springs_alone(network);
     }
 
     /**

@@ -112,7 +112,7 @@ TEST(HomogenisedTensor, ObeysCauchysRelations)
     }
 }
 
-TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAndVolumes)
+TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAnglesAndVolumes)
 {
   oracle::Random random(10);
   for (const CellKind kind : oracle::all_kinds)
@@ -126,8 +126,16 @@ TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAndVolumes)
       NetworkBuilder builder(points);
       builder.add_springs(vertices, pairs, Eigen::VectorXd::Zero(pairs.size()));
       builder.add_couplings(vertices, pairs, {{0, 1, 3.}, {0, 2, -1.}});
+      builder.add_angles(vertices,
+                         {{1, 0, 2}},
+                         Eigen::VectorXd::Constant(1, 2.));
       builder.add_volume(vertices, 5., V0);
       const auto network = builder.build();
+      const auto angle   = [](const Eigen::MatrixXd &x) {
+        return std::acos((x.col(1) - x.col(0))
+                           .normalized()
+                           .dot((x.col(2) - x.col(0)).normalized()));
+      };
 
       // The second difference of the energy under x -> x + t G x.
       const Eigen::MatrixXd G = random.matrix(dim, dim);
@@ -137,9 +145,11 @@ TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAndVolumes)
           return (x.col(pairs[s][1]) - x.col(pairs[s][0])).norm() -
                  network.rest_length[s];
         };
-        const double growth = volume(x, kind) - V0;
+        const double growth  = volume(x, kind) - V0;
+        const double opening = angle(x) - angle(points);
         return 3. * elongation(0) * elongation(1) -
-               elongation(0) * elongation(2) + 5. * growth * growth / 2.;
+               elongation(0) * elongation(2) + opening * opening +
+               5. * growth * growth / 2.;
       };
       const double h           = 1e-4;
       const double curvature   = (energy(h) + energy(-h)) / (h * h);

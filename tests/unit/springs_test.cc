@@ -4,7 +4,6 @@
 #include <springfit/springs/gradients.h>
 #include <springfit/springs/length.h>
 #include <springfit/springs/negative.h>
-#include <springfit/springs/network.h>
 #include <springfit/springs/rigid_modes.h>
 
 #include <gtest/gtest.h>
@@ -253,87 +252,5 @@ namespace
   {
     EXPECT_EQ(n_negative(Eigen::Vector4d(1., -1e-14, -1e-3, 0.)), 1u);
     EXPECT_EQ(n_negative(Eigen::VectorXd()), 0u);
-  }
-
-  class TwoTriangles : public ::testing::Test
-  {
-  protected:
-    //  2 - 3
-    //  | \ |
-    //  0 - 1
-    TwoTriangles()
-    {
-      nodes.resize(2, 4);
-      nodes << 0., 2., 0., 2., //
-        0., 0., 1., 1.;
-      NetworkBuilder builder(nodes);
-      const auto &pairs = node_pairs(CellKind::triangle);
-      builder.add_springs({0, 1, 2}, pairs, Eigen::Vector3d(1., 2., 3.));
-      // The shared spring comes as (2, 1) here.
-      builder.add_springs({3, 2, 1}, pairs, Eigen::Vector3d(10., 20., -30.));
-      builder.add_masses({0, 1, 2}, Eigen::Vector3d(0.1, 0.2, 0.3));
-      builder.add_masses({3, 2, 1}, Eigen::Vector3d(1., 2., 3.));
-      network = builder.build();
-    }
-
-    Eigen::MatrixXd nodes;
-    SpringNetwork network;
-  };
-
-  TEST_F(TwoTriangles, SpringsAreSortedAndMerged)
-  {
-    using Nodes = std::vector<unsigned int>;
-    EXPECT_EQ(network.i, (Nodes{0, 0, 1, 1, 2}));
-    EXPECT_EQ(network.j, (Nodes{1, 2, 2, 3, 3}));
-    EXPECT_EQ(network.stiffness, (std::vector<double>{1., 2., -27., 20., 10.}));
-    EXPECT_EQ(n_negative(network), 1u);
-  }
-
-  TEST_F(TwoTriangles, RestLengthsAreTheDistances)
-  {
-    EXPECT_EQ(network.rest_length,
-              (std::vector<double>{2., 1., std::sqrt(5.), 1., 2.}));
-  }
-
-  TEST_F(TwoTriangles, MassesAreAdded)
-  {
-    EXPECT_EQ(network.mass, (std::vector<double>{0.1, 3.2, 2.3, 1.}));
-  }
-
-  TEST(Network, TangentIsTheSumOfTheCells)
-  {
-    // Two hexahedra with a common face: nodes 0 .. 11, face 4 .. 7.
-    Random random(6);
-    Eigen::MatrixXd nodes(3, 12);
-    for (int v = 0; v < 12; ++v)
-      nodes.col(v) << (v & 1), (v >> 1 & 1), (v >> 2);
-    nodes += 0.1 * random.matrix(3, 12);
-    const std::vector<std::vector<unsigned int>> cells = {
-      {0, 1, 2, 3, 4, 5, 6, 7}, {4, 5, 6, 7, 8, 9, 10, 11}};
-
-    const auto &pairs = node_pairs(CellKind::hexahedron);
-    NetworkBuilder builder(nodes);
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(36, 36);
-    for (const auto &cell : cells)
-      {
-        const Eigen::VectorXd k = random.matrix(28, 1);
-        builder.add_springs(cell, pairs, k);
-        Eigen::MatrixXd x(3, 8);
-        for (int v = 0; v < 8; ++v)
-          x.col(v) = nodes.col(cell[v]);
-        const Eigen::MatrixXd B = length_gradients(x, pairs);
-        K.block<24, 24>(3 * cell[0], 3 * cell[0]) +=
-          B * k.asDiagonal() * B.transpose();
-      }
-
-    const SpringNetwork network = builder.build();
-    std::vector<NodePair> springs;
-    for (std::size_t s = 0; s < network.i.size(); ++s)
-      springs.push_back({{network.i[s], network.j[s]}});
-    EXPECT_EQ(springs.size(), 28u + 28u - 6u);
-    const Eigen::MatrixXd B = length_gradients(nodes, springs);
-    const Eigen::Map<const Eigen::VectorXd> k(network.stiffness.data(),
-                                              network.stiffness.size());
-    EXPECT_LT((K - B * k.asDiagonal() * B.transpose()).norm(), 1e-13);
   }
 } // namespace

@@ -18,10 +18,10 @@ namespace springfit
   /**
    * The tensor of a network under affine deformation,
    * C_ijkl = (1 / V) sum_s k_s L_s^2 n_i n_j n_k n_l (Born and Huang 1954);
-   * and what couplings c and volume springs add:
-   * c (q_a q_b^T + q_b q_a^T) / V with q_s = L_s n_i n_j, and
-   * k V0^2 delta_ij delta_kl / V. @p volume in m^3 (in 2-d area times
-   * thickness).
+   * and what couplings c, angles and volume springs add:
+   * c (q_a q_b^T + q_b q_a^T) / V with q_s = L_s n_i n_j, k q q^T / V with
+   * q_ij = d theta / d u_i,j, and k V0^2 delta_ij delta_kl / V. @p volume in
+   * m^3 (in 2-d area times thickness).
    *
    * That of springs alone is symmetric in all four indices (Cauchy's
    * relations), whatever their constants.

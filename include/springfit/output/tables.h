@@ -66,6 +66,9 @@ namespace springfit
    * couplings_<name>.csv `a,b,stiffness`, if it has any: rows of the springs'
    * table from 0, N/m;
    *
+   * angles_<name>.csv `a,middle,c,k,rest_angle`, if it has any: node numbers,
+   * N m (per rad^2), rad;
+   *
    * volumes_<name>.csv `n0,n1,...,k,rest_volume`, if it has any: the nodes of
    * each cell in deal.II's numbering, N/m^5 (2-d N/m^3), m^3 (2-d m^2).
    */

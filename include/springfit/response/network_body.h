@@ -6,11 +6,7 @@
 
 namespace springfit
 {
-  /**
-   * A network of springs as a body: the true forces and tangents of its
-   * lengths, couplings and volumes at any displacement, stress stiffness
-   * included.
-   */
+  /** A network of springs as a body; see network_terms.h. */
   template <int dim>
   class NetworkBody : public ElasticBody
   {

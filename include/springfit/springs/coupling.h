@@ -1,7 +1,7 @@
 #ifndef springfit_springs_coupling_h
 #define springfit_springs_coupling_h
 
-#include <springfit/springs/length.h>
+#include <springfit/springs/elongation.h>
 
 #include <Eigen/Core>
 
@@ -9,8 +9,8 @@ namespace springfit
 {
   /**
    * A term between the lengths of two springs, of the energy
-   * stiffness (l_a - L_a) (l_b - L_b) with the rest lengths L, in J. A spring
-   * that others couple to may itself have no stiffness.
+   * stiffness q_a q_b with the springs' elongations q (elongation.h), in J. A
+   * spring that others couple to may itself have no stiffness.
    */
   struct LengthCoupling
   {
@@ -22,61 +22,51 @@ namespace springfit
     double stiffness;
   };
 
-  // The energy as a function of the nodes' places (i_a, j_a, i_b, j_b), with
-  // d = x_j - x_i of each spring. Springs with a common node count it twice;
-  // what belongs to it is then added.
+  // The energy as a function of the nodes' places (i_a, j_a, i_b, j_b).
+  // Springs with a common node count it twice; what belongs to it is then
+  // added.
 
   /** J */
   template <int dim>
   double
   coupling_energy(const double stiffness,
-                  const double rest_length_a,
-                  const double rest_length_b,
-                  const Vector<dim> &d_a,
-                  const Vector<dim> &d_b)
+                  const Elongation<dim> &a,
+                  const Elongation<dim> &b)
   {
-    return stiffness * (d_a.norm() - rest_length_a) *
-           (d_b.norm() - rest_length_b);
+    return stiffness * a.value * b.value;
   }
 
   /**
    * The gradient in N, the opposite of the forces:
-   * stiffness [(l_b - L_b) grad l_a, (l_a - L_a) grad l_b].
+   * stiffness [q_b grad q_a, q_a grad q_b].
    */
   template <int dim>
   Vector<4 * dim>
   coupling_gradient(const double stiffness,
-                    const double rest_length_a,
-                    const double rest_length_b,
-                    const Vector<dim> &d_a,
-                    const Vector<dim> &d_b)
+                    const Elongation<dim> &a,
+                    const Elongation<dim> &b)
   {
     Vector<4 * dim> gradient;
-    gradient << stiffness * (d_b.norm() - rest_length_b) *
-                  length_gradient<dim>(d_a),
-      stiffness * (d_a.norm() - rest_length_a) * length_gradient<dim>(d_b);
+    gradient << stiffness * b.value * a.gradient,
+      stiffness * a.value * b.gradient;
     return gradient;
   }
 
   /**
-   * The Hessian in N/m; at rest only stiffness grad l_a grad l_b^T and its
+   * The Hessian in N/m; at rest only stiffness grad q_a grad q_b^T and its
    * transpose remain, off the diagonal.
    */
   template <int dim>
   Tensor<4 * dim>
   coupling_hessian(const double stiffness,
-                   const double rest_length_a,
-                   const double rest_length_b,
-                   const Vector<dim> &d_a,
-                   const Vector<dim> &d_b)
+                   const Elongation<dim> &a,
+                   const Elongation<dim> &b)
   {
-    const Tensor<2 *dim> across = stiffness * length_gradient<dim>(d_a) *
-                                  length_gradient<dim>(d_b).transpose();
+    const Tensor<2 *dim> across =
+      stiffness * a.gradient * b.gradient.transpose();
     Tensor<4 * dim> hessian;
-    hessian << stiffness * (d_b.norm() - rest_length_b) *
-                 length_hessian<dim>(d_a),
-      across, across.transpose(),
-      stiffness * (d_a.norm() - rest_length_a) * length_hessian<dim>(d_b);
+    hessian << stiffness * b.value * a.hessian, across, //
+      across.transpose(), stiffness * a.value * b.hessian;
     return hessian;
   }
 } // namespace springfit

@@ -28,6 +28,23 @@ namespace springfit
   };
 
   /**
+   * A spring whose coordinate is the angle theta at the middle one of three
+   * nodes, of the energy stiffness (theta - rest_angle)^2 / 2, in J; see
+   * angle.h. At rest it is neither straight nor folded.
+   */
+  struct AngleSpring
+  {
+    /** {end, middle, end}, the ends in ascending order. */
+    NodeTriple nodes;
+
+    /** J = N m (per rad^2) */
+    double stiffness;
+
+    /** rad */
+    double rest_angle;
+  };
+
+  /**
    * Point masses and the springs between them. Spring s connects the nodes
    * i[s] < j[s]; springs are sorted by (i, j) and no pair occurs twice.
    */
@@ -51,8 +68,14 @@ namespace springfit
      */
     std::vector<LengthCoupling> couplings;
 
+    /** Sorted by their nodes; no triple occurs twice. */
+    std::vector<AngleSpring> angles;
+
     /** In the order of the cells. */
     std::vector<VolumeSpring> volumes;
+
+    /** That of all springs and couplings. */
+    SpringLaw law = SpringLaw::quadratic;
 
     /** per node, kg */
     std::vector<double> mass;
@@ -61,11 +84,15 @@ namespace springfit
   unsigned int
   n_negative(const SpringNetwork &network);
 
+  /** Whether a network has neither couplings nor angles nor volumes. */
+  bool
+  has_springs_alone(const SpringNetwork &network);
+
 
   /**
-   * Assembles a network cell by cell: the constants of springs and couplings
-   * and the masses of nodes that cells share are added, in the order of the
-   * cells.
+   * Assembles a network cell by cell: the constants of springs, couplings and
+   * angles and the masses of nodes that cells share are added, in the order of
+   * the cells.
    */
   class NetworkBuilder
   {
@@ -93,6 +120,19 @@ namespace springfit
     add_couplings(const std::vector<unsigned int> &vertices,
                   const std::vector<NodePair> &pairs,
                   const std::vector<LengthCoupling> &couplings);
+
+    /**
+     * @param vertices the cell's nodes
+     * @param triples the cell's angles, as positions in @p vertices
+     * @param k the stiffness of each, J = N m (per rad^2)
+     *
+     * @throws std::logic_error when an angle is straight or folded: fits
+     * refuse it, see angle_gradients.
+     */
+    void
+    add_angles(const std::vector<unsigned int> &vertices,
+               const std::vector<NodeTriple> &triples,
+               const Eigen::Ref<const Eigen::VectorXd> &k);
 
     /**
      * @param vertices the cell's nodes in deal.II's numbering
@@ -133,6 +173,7 @@ namespace springfit
     std::vector<double> mass_;
     std::vector<std::vector<Neighbour>> neighbours_;
     std::vector<Coupling> couplings_;
+    std::vector<AngleSpring> angles_;
     std::vector<VolumeSpring> volumes_;
   };
 } // namespace springfit

@@ -1,0 +1,119 @@
+// The tables of a network, and the removal of those of an earlier run.
+
+#include <springfit/output/earlier_results.h>
+#include <springfit/output/tables.h>
+#include <springfit/springs/cell_topology.h>
+#include <springfit/springs/network.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cells.h"
+
+using namespace springfit;
+
+namespace
+{
+  /** An empty folder that does not outlive the test. */
+  class Output : public ::testing::Test
+  {
+  protected:
+    Output()
+      : folder(
+          std::filesystem::temp_directory_path() /
+          ("springfit_" +
+           std::string(
+             ::testing::UnitTest::GetInstance()->current_test_info()->name())))
+    {
+      std::filesystem::remove_all(folder);
+      std::filesystem::create_directory(folder);
+    }
+
+    ~Output() override
+    {
+      std::filesystem::remove_all(folder);
+    }
+
+    std::set<std::string>
+    files() const
+    {
+      std::set<std::string> names;
+      for (const auto &entry : std::filesystem::directory_iterator(folder))
+        names.insert(entry.path().filename().string());
+      return names;
+    }
+
+    std::vector<std::string>
+    lines(const std::string &name) const
+    {
+      std::ifstream file(folder / name);
+      std::vector<std::string> all;
+      for (std::string line; std::getline(file, line);)
+        all.push_back(line);
+      return all;
+    }
+
+    const std::filesystem::path folder;
+  };
+
+  TEST_F(Output, ANetworkHasATableForEachKindOfItsParts)
+  {
+    const std::vector<unsigned int> vertices = {0, 1, 2};
+    const auto &pairs                        = node_pairs(CellKind::triangle);
+    NetworkBuilder builder(oracle::regular_cell(CellKind::triangle));
+    builder.add_springs(vertices, pairs, Eigen::Vector3d(1., 2., 3.));
+    write_network(folder, "f", builder.build());
+    EXPECT_EQ(files(), (std::set<std::string>{"springs_f.csv"}));
+
+    const double stiffness = 0.1 + 0.2; // has no short decimal
+    builder.add_couplings(vertices, pairs, {{0, 2, 5.}});
+    builder.add_angles(vertices,
+                       {{2, 1, 0}},
+                       Eigen::VectorXd::Constant(1, stiffness));
+    builder.add_volume(vertices, 7., 0.5);
+    write_network(folder, "f", builder.build());
+    EXPECT_EQ(files(),
+              (std::set<std::string>{"angles_f.csv",
+                                     "couplings_f.csv",
+                                     "springs_f.csv",
+                                     "volumes_f.csv"}));
+
+    const auto angles = lines("angles_f.csv");
+    ASSERT_EQ(angles.size(), 2u);
+    EXPECT_EQ(angles[0], "a,middle,c,k,rest_angle");
+    EXPECT_EQ(angles[1].substr(0, 6), "0,1,2,");
+    std::size_t length = 0;
+    EXPECT_EQ(std::stod(angles[1].substr(6), &length), stiffness);
+    EXPECT_NEAR(std::stod(angles[1].substr(6 + length + 1)),
+                std::acos(0.5),
+                1e-15);
+  }
+
+  TEST_F(Output, EarlierResultsAreRemovedAndNothingElse)
+  {
+    const std::set<std::string> results = {"angles_f.csv",
+                                           "comparison.csv",
+                                           "couplings_f.csv",
+                                           "nodes.csv",
+                                           "springs_f.csv",
+                                           "volumes_f.csv",
+                                           "tension_fem.vtu"};
+    const std::set<std::string> others  = {"angles.csv", "notes.txt"};
+    for (const auto &names : {results, others})
+      for (const auto &name : names)
+        std::ofstream(folder / name) << '\n';
+    remove_earlier_results(folder);
+    EXPECT_EQ(files().size(), results.size() + others.size());
+
+    std::ofstream(folder / "used.prm") << '\n';
+    remove_earlier_results(folder);
+    EXPECT_EQ(files(),
+              (std::set<std::string>{"angles.csv", "notes.txt", "used.prm"}));
+  }
+} // namespace
