@@ -15,6 +15,7 @@
 #include <sstream>
 #include <streambuf>
 #include <string>
+#include <vector>
 
 namespace springfit
 {
@@ -201,6 +202,15 @@ namespace springfit
     }
 
     void
+    warn_of_unused_cell_size(MeshDescription &mesh,
+                             const ObjectRequest &request)
+    {
+      if (request.cell_size != std::vector<double>{default_cell_size})
+        mesh.warnings.push_back(mesh.name + " has its own cells: "
+                                            "Geometry/Cell size is not used.");
+    }
+
+    void
     scale_to_metres(MeshDescription &mesh, const double scale)
     {
       for (MeshPoint &vertex : mesh.vertices)
@@ -258,11 +268,14 @@ namespace springfit
     const GmshSession gmsh_session;
     run_gmsh(name, [&]() { open_with_groups(request.file, request.dim); });
 
-    if (is_unmeshed_geometry())
+    const bool has_own_cells = !is_unmeshed_geometry();
+    if (!has_own_cells)
       mesh_geometry(request);
     check_dimension(name, request.dim);
 
     GmshCells cells = read_gmsh_cells(name, request.dim);
+    if (has_own_cells)
+      warn_of_unused_cell_size(cells.mesh, request);
     scale_to_metres(cells.mesh, request.scale);
     check_coordinates(cells.mesh);
     check_no_duplicate_cells(cells.mesh);

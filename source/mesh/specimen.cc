@@ -237,6 +237,34 @@ namespace springfit
       snap_to_outline(mesh, outline_of(request));
     }
 
+    // Somewhere on the straight part, a cell reaches from y min to y max.
+    bool
+    is_one_cell_wide(const MeshDescription &mesh,
+                     const SpecimenOutline &outline)
+    {
+      constexpr double rounding = 1e-6;
+      const Interval part       = outline.straight_part();
+      const double side         = (0.5 - rounding) * outline.gauge_width();
+      const auto is_on_part     = [&](const double x) {
+        return x > part.lowest - rounding * outline.length &&
+               x < part.highest + rounding * outline.length;
+      };
+      for (unsigned int c = 0; c < mesh.n_cells(); ++c)
+        {
+          bool at_min = false, at_max = false;
+          for (int i = 0; i < n_vertices(mesh.cell_kind); ++i)
+            if (const MeshPoint &p = mesh.vertices[mesh.cell(c)[i]];
+                is_on_part(p[0]))
+              {
+                at_min = at_min || p[1] < -side;
+                at_max = at_max || p[1] > side;
+              }
+          if (at_min && at_max)
+            return true;
+        }
+      return false;
+    }
+
     void
     check_not_coarser(const double cell_size,
                       const double largest,
@@ -306,6 +334,11 @@ namespace springfit
     mesh.name            = "The specimen";
     mesh.straight_part   = outline_of(request).straight_part();
     snap_to_sides(mesh, request);
+    if (is_one_cell_wide(mesh, outline_of(request)))
+      mesh.warnings.push_back(
+        "The specimen's straight part, where E_out and nu_out are measured, "
+        "is only one cell wide somewhere. A smaller Geometry/Cell size gives "
+        "more.");
     label_boundary(mesh, [&](const std::vector<MeshPoint> &points) {
       return side_of(points, request);
     });

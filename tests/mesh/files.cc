@@ -144,6 +144,22 @@ TEST(File, with_a_solid_geometry_is_meshed_but_not_with_hexahedra)
     {"Geometry/Cell size", "cells"});
 }
 
+TEST(File, with_cells_of_its_own_does_not_use_the_cell_size)
+{
+  const std::string warning = "Geometry/Cell size is not used";
+  const auto given          = read<2>("plate_v2.msh", "Cell size = 0.001");
+  EXPECT_TRUE(has_warning(given->warnings, warning));
+  expect_plate(*given);
+  EXPECT_TRUE(
+    has_warning(read<2>("plate.inp", "Cell size = 0.1")->warnings, warning));
+  EXPECT_FALSE(has_warning(read<2>("plate_v2.msh")->warnings, warning));
+  EXPECT_FALSE(has_warning(read<2>("plate.geo",
+                                   "Scale = 0.001; Cells = triangles; "
+                                   "Cell size = 0.001")
+                             ->warnings,
+                           warning));
+}
+
 TEST(File, of_every_format_is_read)
 {
   const auto folder =

@@ -64,7 +64,9 @@ TEST(Jitter, MovesTheVerticesInsideOnlyAndByAtMostWhatIsAskedFor)
       unsigned int n_inside = 0;
       for (unsigned int v = 0; v < moved.size(); ++v)
         if (!is_inside_unit_box(mesh.vertices[v], dim))
-          EXPECT_EQ(moved[v], mesh.vertices[v]);
+          {
+            EXPECT_EQ(moved[v], mesh.vertices[v]);
+          }
         else
           {
             ++n_inside;
@@ -88,7 +90,9 @@ TEST(Jitter, MovesTheVerticesInsideOnlyAndByAtMostWhatIsAskedFor)
                       5. * std::sqrt(4. / 45. / n_inside));
         }
       if (dim == 2)
-        EXPECT_EQ(mean_square[2], 0.);
+        {
+          EXPECT_EQ(mean_square[2], 0.);
+        }
     }
 }
 

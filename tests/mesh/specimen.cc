@@ -212,6 +212,40 @@ TEST(Specimen, KeepsItsStraightPartOnTheWayToOtherRanks)
     }
 }
 
+TEST(Specimen, OfOneCellAcrossItsStraightPartGivesAWarning)
+{
+  const auto warnings = [](const CellKind kind,
+                           const std::vector<double> &cell_size) {
+    const bool plane = dimension(kind) == 2;
+    return find_object("specimen")
+      .describe({plane ? 2 : 3,
+                 kind,
+                 plane ? std::vector<double>{0.16, 0.03}
+                       : std::vector<double>{0.16, 0.03, 0.01},
+                 cell_size,
+                 "",
+                 1.})
+      .warnings;
+  };
+  // Mapped meshes have as many cells everywhere as at half the grip's width.
+  for (const auto &[size, n_across] :
+       std::vector<std::pair<double, int>>{{0.015, 1}, {0.0075, 2}, {0.005, 3}})
+    for (const auto &found :
+         {warnings(CellKind::quadrilateral, {0.005, size}),
+          warnings(CellKind::hexahedron, {0.005, size, 0.005})})
+      {
+        ASSERT_EQ(found.size(), n_across == 1 ? 1u : 0u);
+        if (n_across == 1)
+          {
+            EXPECT_NE(found[0].find("one cell wide"), std::string::npos);
+          }
+      }
+  // gmsh's tetrahedra as large as the straight part is wide.
+  EXPECT_EQ(warnings(CellKind::tetrahedron, {0.01}).size(), 1u);
+  for (const CellKind kind : {CellKind::triangle, CellKind::tetrahedron})
+    EXPECT_TRUE(warnings(kind, {0.003}).empty());
+}
+
 TEST(Specimen, HasItsOwnSize)
 {
   EXPECT_NEAR(measure_of(*make_mesh<2>("Object = specimen; Size = ")),

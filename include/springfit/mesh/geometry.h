@@ -63,7 +63,7 @@ namespace springfit
     std::string object_ = "box";
     std::string cells_  = dim == 2 ? "quadrilaterals" : "hexahedra";
     std::vector<double> size_;
-    std::vector<double> cell_size_ = {0.0025};
+    std::vector<double> cell_size_ = {default_cell_size};
     double jitter_                 = 0.;
     std::string file_;
     double scale_ = 1.;

@@ -10,6 +10,9 @@
 
 namespace springfit
 {
+  /** The entry `Cell size` where none is given, in m. */
+  constexpr double default_cell_size = 0.0025;
+
   /** What the section Geometry of a parameter file asks for. */
   struct ObjectRequest
   {
