@@ -8,9 +8,9 @@
 namespace springfit
 {
   /**
-   * A term between the lengths of two springs, of the energy
-   * stiffness q_a q_b with the springs' elongations q (elongation.h), in J. A
-   * spring that others couple to may itself have no stiffness.
+   * A term between the elongations q of two springs (elongation.h), of the
+   * energy stiffness q_a q_b, in J. A spring that others couple to may itself
+   * have no stiffness.
    */
   struct LengthCoupling
   {

@@ -3,6 +3,7 @@
 
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/coupling.h>
+#include <springfit/springs/elongation.h>
 
 #include <Eigen/Core>
 
@@ -63,7 +64,7 @@ namespace springfit
     std::vector<double> rest_length;
 
     /**
-     * Terms between the lengths of two springs, sorted by their positions
+     * Terms between the elongations of two springs, sorted by their positions
      * (a, b) in the list of springs; no pair occurs twice.
      */
     std::vector<LengthCoupling> couplings;
