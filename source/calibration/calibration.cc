@@ -1,18 +1,12 @@
 #include <springfit/calibration/calibration.h>
+#include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/distinct_cells.h>
-#include <springfit/calibration/shape_quality.h>
-#include <springfit/core/collective.h>
 #include <springfit/core/error.h>
-#include <springfit/core/progress.h>
 #include <springfit/core/words.h>
-#include <springfit/reference/cell_matrices.h>
-#include <springfit/springs/volume.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
@@ -22,274 +16,27 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
-    using CellIterator =
-      typename dealii::Triangulation<dim>::active_cell_iterator;
-
-    template <int dim>
-    std::vector<CellIterator<dim>>
-    cells_by_index(const Mesh<dim> &mesh)
-    {
-      std::vector<CellIterator<dim>> cells;
-      for (const auto &cell : mesh.triangulation.active_cell_iterators())
-        cells.push_back(cell);
-      return cells;
-    }
-
-    /** A distinct cell as an error names it. */
-    template <int dim>
-    std::string
-    description(const CellIterator<dim> &cell, const CellKind kind)
-    {
-      std::ostringstream text;
-      text.precision(3);
-      text << singular(kind) << ' ' << cell->active_cell_index() << " (centre "
-           << cell->center() << " m, shape quality "
-           << shape_quality(cell_points<dim>(cell), kind) << " of 1)";
-      return text.str();
-    }
-
-    /** One fit as a plain row of numbers, which ranks can exchange. */
-    struct TimedFit
-    {
-      FitResult result;
-      double seconds;
-    };
-
-    std::vector<double>
-    pack(const TimedFit &fit)
-    {
-      const FitResult &result     = fit.result;
-      std::vector<double> numbers = {fit.seconds,
-                                     result.frobenius_residual,
-                                     result.spectral_residual,
-                                     result.duality_gap.value_or(-1.),
-                                     static_cast<double>(result.n_negative),
-                                     static_cast<double>(
-                                       result.volume_stiffness.has_value()),
-                                     result.volume_stiffness.value_or(0.),
-                                     static_cast<double>(result.k.size())};
-      numbers.insert(numbers.end(),
-                     result.k.data(),
-                     result.k.data() + result.k.size());
-      for (const auto &[a, b, stiffness] : result.couplings)
-        numbers.insert(numbers.end(),
-                       {static_cast<double>(a),
-                        static_cast<double>(b),
-                        stiffness});
-      return numbers;
-    }
-
-    TimedFit
-    unpack(const std::vector<double> &numbers)
-    {
-      TimedFit fit;
-      FitResult &result         = fit.result;
-      fit.seconds               = numbers[0];
-      result.frobenius_residual = numbers[1];
-      result.spectral_residual  = numbers[2];
-      if (numbers[3] >= 0.)
-        result.duality_gap = numbers[3];
-      result.n_negative = static_cast<unsigned int>(numbers[4]);
-      if (numbers[5] != 0.)
-        result.volume_stiffness = numbers[6];
-      const auto n_springs = static_cast<std::size_t>(numbers[7]);
-      result.k =
-        Eigen::Map<const Eigen::VectorXd>(numbers.data() + 8, n_springs);
-      for (std::size_t c = 8 + n_springs; c < numbers.size(); c += 3)
-        result.couplings.push_back({static_cast<unsigned int>(numbers[c]),
-                                    static_cast<unsigned int>(numbers[c + 1]),
-                                    numbers[c + 2]});
-      return fit;
-    }
-
-    /**
-     * @throws RunError when the certificate does not hold what the user asks
-     * for, or the constants are not finite.
-     */
-    template <int dim>
-    void
-    check_result(const FitResult &result,
-                 const FitOptions &options,
-                 const std::string &fit_name,
-                 const CellIterator<dim> &cell,
-                 const CellKind kind)
-    {
-      if (!all_finite(result))
-        throw RunError("The fit '" + fit_name + "' of " +
-                         description<dim>(cell, kind) +
-                         " gave constants that are not finite.",
-                       "Improve the mesh there.");
-      if (result.duality_gap && !(*result.duality_gap <= options.tolerance))
-        {
-          std::ostringstream text;
-          text << "The fit '" << fit_name << "' of "
-               << description<dim>(cell, kind) << " has a certified gap of "
-               << *result.duality_gap << ", more than 'Tolerance' "
-               << options.tolerance << '.';
-          throw RunError(text.str(),
-                         "Improve the mesh there, raise 'Tolerance' in section "
-                         "Fit, or choose another 'Engine'.");
-        }
-    }
-
-    template <int dim>
-    IsotropicMaterial
-    material_of(const CellMaterial &material)
-    {
-      return isotropic_material(dim,
-                                material.lame.lambda,
-                                material.lame.mu,
-                                material.thickness);
-    }
-
     /** How many cells do not meet each assumption of a published method. */
     template <int dim>
     std::map<std::string, unsigned int>
     count_unmet_assumptions(const DistinctCells &cells,
-                            const std::vector<CellIterator<dim>> &iterators,
-                            const CellKind kind,
+                            const Mesh<dim> &mesh,
                             const MaterialTable &materials,
                             const Method method)
     {
+      const auto iterators = cells_by_index(mesh);
       std::map<std::string, unsigned int> counts;
       for (const auto &distinct : cells.distinct)
         for (const auto &assumption : unmet_assumptions(
                method,
                cell_points<dim>(iterators[distinct.representative]),
-               kind,
+               mesh.cell_kind,
                material_of<dim>(materials.at(distinct.material))))
           counts[assumption] += distinct.multiplicity;
       return counts;
     }
 
-    /** Fit every distinct cell; the ranks share the work evenly. */
-    template <int dim>
-    std::vector<TimedFit>
-    fit_distinct(const DistinctCells &cells,
-                 const std::vector<CellIterator<dim>> &iterators,
-                 const CellKind kind,
-                 const Element<dim> &element,
-                 const MaterialTable &materials,
-                 const Method method,
-                 const FitOptions &options,
-                 const std::string &name,
-                 Session &session)
-    {
-      const auto communicator = session.communicator();
-      const unsigned int rank =
-        dealii::Utilities::MPI::this_mpi_process(communicator);
-      const unsigned int n_ranks =
-        dealii::Utilities::MPI::n_mpi_processes(communicator);
-
-      std::map<unsigned int, std::vector<double>> mine;
-      run_collectively(communicator, [&]() {
-        CellMatrices<dim> cell_matrices(element);
-        Progress progress("Fits (" + name + ") of distinct cells",
-                          (cells.distinct.size() + n_ranks - 1) / n_ranks,
-                          rank == 0);
-        for (unsigned int c = rank; c < cells.distinct.size(); c += n_ranks)
-          {
-            const auto &distinct = cells.distinct[c];
-            const auto &cell     = iterators[distinct.representative];
-            const auto &material = materials.at(distinct.material);
-            const auto start     = std::chrono::steady_clock::now();
-            const auto problem =
-              cell_problem<dim>(cell, kind, cell_matrices, material);
-            FitResult result;
-            try
-              {
-                result = fit(problem, method, options);
-              }
-            catch (const RunError &error)
-              {
-                throw RunError("The fit '" + name + "' of " +
-                                 description<dim>(cell, kind) + " failed.",
-                               error.what());
-              }
-            check_result<dim>(result, options, name, cell, kind);
-            const std::chrono::duration<double> seconds =
-              std::chrono::steady_clock::now() - start;
-            mine[c] = pack({result, seconds.count()});
-            progress.step();
-          }
-      });
-
-      std::vector<TimedFit> fits(cells.distinct.size());
-      for (const auto &of_rank :
-           dealii::Utilities::MPI::all_gather(communicator, mine))
-        for (const auto &[c, numbers] : of_rank)
-          fits[c] = unpack(numbers);
-      return fits;
-    }
-
-    template <int dim>
-    SpringNetwork
-    assemble_network(const Mesh<dim> &mesh,
-                     const DistinctCells &cells,
-                     const std::vector<CellIterator<dim>> &iterators,
-                     const std::vector<TimedFit> &fits,
-                     const Element<dim> &element,
-                     const MaterialTable &materials)
-    {
-      const auto &vertices = mesh.triangulation.get_vertices();
-      Eigen::MatrixXd nodes(dim, vertices.size());
-      for (unsigned int v = 0; v < vertices.size(); ++v)
-        for (int d = 0; d < dim; ++d)
-          nodes(d, v) = vertices[v][d];
-
-      NetworkBuilder builder(nodes);
-      CellMatrices<dim> cell_matrices(element);
-      std::vector<unsigned int> cell_nodes;
-      for (unsigned int c = 0; c < iterators.size(); ++c)
-        {
-          const auto &copy       = cells.copies[c];
-          const CellModel &model = fits[copy.distinct].result;
-          const auto &pairs      = node_pairs(mesh.cell_kind);
-          // Stiffness is as the length to the power dim - 2. The tangent of a
-          // volume spring is its constant times the gradient's square, which
-          // is as the power 2 (dim - 1).
-          const double factor = std::pow(copy.scale, dim - 2);
-          builder.add_springs(copy.nodes, pairs, factor * model.k);
-
-          std::vector<LengthCoupling> couplings = model.couplings;
-          for (auto &coupling : couplings)
-            coupling.stiffness *= factor;
-          builder.add_couplings(copy.nodes, pairs, couplings);
-
-          cell_nodes.clear();
-          for (const unsigned int v : iterators[c]->vertex_indices())
-            cell_nodes.push_back(iterators[c]->vertex_index(v));
-          // With the cell's own numbering, in which the volume is positive;
-          // a mirrored copy in that of the representative has a negative one.
-          if (model.volume_stiffness)
-            builder.add_volume(cell_nodes,
-                               std::pow(copy.scale, -dim) *
-                                 *model.volume_stiffness,
-                               volume(cell_points<dim>(iterators[c]),
-                                      mesh.cell_kind));
-          builder.add_masses(
-            cell_nodes,
-            cell_matrices.masses(iterators[c],
-                                 materials.at(iterators[c]->material_id())));
-        }
-      return builder.build();
-    }
   } // namespace
-
-  template <int dim>
-  FitProblem
-  cell_problem(
-    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
-    const CellKind kind,
-    CellMatrices<dim> &cell_matrices,
-    const CellMaterial &material)
-  {
-    return make_fit_problem(cell_points<dim>(cell),
-                            kind,
-                            cell_matrices.stiffness(cell, material),
-                            material_of<dim>(material));
-  }
 
   template <int dim>
   Calibration<dim>::Calibration() : dealii::ParameterAcceptor("Fit")
@@ -298,24 +45,44 @@ namespace springfit
                   methods_word_,
                   "Fits, each a row of the tables: " +
                     join(words_of(method_words())) +
-                    " (no unit). The first three approximate the cell's "
-                    "stiffness; the others are published formulas.");
+                    " (no unit). The first four approximate the cell's "
+                    "stiffness: block and frobenius in the Frobenius norm, "
+                    "spectral in the 2-norm, consistent what it does under "
+                    "constant strain first. The others are published "
+                    "formulas.");
     add_parameter("Enrichment",
                   enrichments_word_,
                   "What a cell has besides springs between all pairs of its "
                   "vertices: " +
                     join(words_of(enrichment_words())) +
                     " (no unit). Of a list, each fit takes those that it has, "
-                    "and each is a row of the tables: baudet and delingette "
-                    "have none and coupling, golec has volume, the others "
-                    "none.");
+                    "and each is a row of the tables. volume: a spring of the "
+                    "cell's volume, in 2-d of its area; angles: springs of the "
+                    "angles of its faces; coupling: terms between all its "
+                    "lengths, with which it equals the finite element at rest. "
+                    "Of the published formulas baudet and delingette have none "
+                    "and coupling, golec has volume, the others none.");
+    add_parameter("Spring law",
+                  law_word_,
+                  "The energy of springs and couplings away from rest: " +
+                    join(words_of(spring_law_words()), " or ") +
+                    " in the length (no unit). quadratic: k (l - L)^2 / 2. "
+                    "biquadratic: k (l^2 - L^2)^2 / (8 L^2); with coupling it "
+                    "makes triangles and tetrahedra St. Venant-Kirchhoff's "
+                    "material. At rest both are the same.");
     add_parameter("Nonnegative",
                   options_.nonnegative,
-                  "Whether every spring of a cell must have a stiffness >= 0 "
-                  "(no unit).");
+                  "Whether every spring and angle of a cell must have a "
+                  "stiffness >= 0 (no unit). Volumes and couplings are free as "
+                  "long as the cell resists every deformation.");
+    add_parameter("Norm",
+                  norm_word_,
+                  "What the consistent fit of quadrilaterals and hexahedra "
+                  "minimises once constant strains are right: " +
+                    join(words_of(norm_words()), " or ") + " (no unit).");
     add_parameter("Engine",
                   engine_word_,
-                  "What solves the spectral fit: " +
+                  "What solves a fit in the spectral norm: " +
                     join(words_of(engine_words()), " or ") +
                     " (no unit). Both are certified alike.");
     add_parameter("Tolerance",
@@ -325,6 +92,8 @@ namespace springfit
                   "positive.");
     parse_parameters_call_back.connect([this]() {
       options_.engine = value_of(engine_words(), engine_word_, "Fit/Engine");
+      options_.norm   = value_of(norm_words(), norm_word_, "Fit/Norm");
+      law_ = value_of(spring_law_words(), law_word_, "Fit/Spring law");
       check();
     });
   }
@@ -428,8 +197,7 @@ namespace springfit
                               Session &session) const
   {
     dealii::Timer search_timer(session.communicator());
-    const auto cells     = find_distinct_cells(mesh);
-    const auto iterators = cells_by_index(mesh);
+    const auto cells = find_distinct_cells(mesh);
     search_timer.stop();
 
     check_cells(mesh.cell_kind);
@@ -445,33 +213,37 @@ namespace springfit
                                : network.fit + '_' + network.enrichment;
 
         if (warned.insert(method).second)
-          for (const auto &[assumption, n_cells] : count_unmet_assumptions<dim>(
-                 cells, iterators, mesh.cell_kind, materials, method))
+          for (const auto &[assumption, n_cells] :
+               count_unmet_assumptions<dim>(cells, mesh, materials, method))
             session.warn("The constants of '" + network.fit +
                          "' are published for " + assumption + ", which " +
                          std::to_string(n_cells) + " of " +
-                         std::to_string(iterators.size()) +
+                         std::to_string(cells.copies.size()) +
                          " cells do not meet. They are used all the same.");
 
         dealii::TimerOutput::Scope scope(session.timer(),
                                          "Calibration, " + network.name);
         dealii::Timer timer(session.communicator());
-        const auto fits = fit_distinct(cells,
-                                       iterators,
-                                       mesh.cell_kind,
-                                       element,
-                                       materials,
-                                       method,
-                                       options({method, enrichment}),
-                                       network.name,
-                                       session);
-        network.network =
-          assemble_network(mesh, cells, iterators, fits, element, materials);
+        const auto fits = fit_distinct_cells(cells,
+                                             mesh,
+                                             element,
+                                             materials,
+                                             method,
+                                             options({method, enrichment}),
+                                             network.name,
+                                             session);
+        std::vector<CellModel> models;
         for (unsigned int c = 0; c < fits.size(); ++c)
-          network.cells.push_back({cells.distinct[c].representative,
-                                   cells.distinct[c].multiplicity,
-                                   fits[c].result,
-                                   fits[c].seconds});
+          {
+            models.push_back(fits[c].result);
+            network.cells.push_back({cells.distinct[c].representative,
+                                     cells.distinct[c].multiplicity,
+                                     fits[c].result,
+                                     fits[c].seconds});
+          }
+        network.network =
+          assemble_network(mesh, cells, models, element, materials);
+        network.network.law = law_;
         timer.stop();
         network.seconds = search_timer.wall_time() + timer.wall_time();
 
@@ -486,16 +258,6 @@ namespace springfit
     return networks;
   }
 
-  template FitProblem
-  cell_problem<2>(const dealii::Triangulation<2>::active_cell_iterator &,
-                  CellKind,
-                  CellMatrices<2> &,
-                  const CellMaterial &);
-  template FitProblem
-  cell_problem<3>(const dealii::Triangulation<3>::active_cell_iterator &,
-                  CellKind,
-                  CellMatrices<3> &,
-                  const CellMaterial &);
   template class Calibration<2>;
   template class Calibration<3>;
 } // namespace springfit

@@ -24,7 +24,7 @@ namespace springfit
         , upper(t * I + E)
         , inside(lower.info() == Eigen::Success &&
                  upper.info() == Eigen::Success &&
-                 !(problem.nonnegative && k.minCoeff() <= 0.))
+                 (k.head(problem.n_nonnegative).array() > 0.).all())
       {}
 
       Eigen::VectorXd k;
@@ -48,10 +48,8 @@ namespace springfit
     {
       if (!cones.inside)
         return infinity;
-      double value = cones.t / mu - log_det(cones.lower) - log_det(cones.upper);
-      if (problem.nonnegative)
-        value -= cones.k.array().log().sum();
-      return value;
+      return cones.t / mu - log_det(cones.lower) - log_det(cones.upper) -
+             cones.k.head(problem.n_nonnegative).array().log().sum();
     }
 
     struct Derivatives
@@ -92,12 +90,10 @@ namespace springfit
                               Eigen::MatrixXd::Zero(n, n)};
       add_cone(1., problem.B, cones.lower, derivatives);
       add_cone(-1., problem.B, cones.upper, derivatives);
-      if (problem.nonnegative)
-        {
-          const Eigen::VectorXd inverse = cones.k.cwiseInverse();
-          derivatives.gradient.head(n - 1) -= inverse;
-          derivatives.hessian.diagonal().head(n - 1) += inverse.cwiseAbs2();
-        }
+      const Eigen::Index n_bounded  = problem.n_nonnegative;
+      const Eigen::VectorXd inverse = cones.k.head(n_bounded).cwiseInverse();
+      derivatives.gradient.head(n_bounded) -= inverse;
+      derivatives.hessian.diagonal().head(n_bounded) += inverse.cwiseAbs2();
       return derivatives;
     }
 

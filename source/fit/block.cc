@@ -1,31 +1,24 @@
 #include <springfit/fit/block.h>
+#include <springfit/fit/frobenius.h>
+#include <springfit/fit/nonnegative_least_squares.h>
 
 namespace springfit
 {
   Eigen::VectorXd
-  fit_block(const FitProblem &problem)
+  fit_block(const Eigen::MatrixXd &B,
+            const Eigen::MatrixXd &R,
+            const Eigen::Index dim,
+            const Eigen::Index n_nonnegative)
   {
-    const Eigen::Index dim = problem.points.rows();
-    Eigen::VectorXd k(problem.springs.size());
-    for (Eigen::Index s = 0; s < k.size(); ++s)
+    // All blocks without those on the diagonal.
+    Eigen::MatrixXd gram     = tangent_gram(B);
+    Eigen::VectorXd products = tangent_products(B, R);
+    for (Eigen::Index row = 0; row < B.rows(); row += dim)
       {
-        const auto [i, j] = problem.springs[s];
-        const auto b      = problem.gradients.col(s);
-        double n_R_n      = 0.;
-        for (Eigen::Index d = 0; d < dim; ++d)
-          for (Eigen::Index c = 0; c < dim; ++c)
-            n_R_n += b[dim * j + c] *
-                     problem.stiffness(dim * i + c, dim * j + d) *
-                     b[dim * j + d];
-        k[s] = -n_R_n;
+        const Eigen::MatrixXd B_node = B.middleRows(row, dim);
+        gram -= tangent_gram(B_node);
+        products -= tangent_products(B_node, R.block(row, row, dim, dim));
       }
-    return k;
-  }
-
-
-  Eigen::VectorXd
-  fit_block_nonnegative(const FitProblem &problem)
-  {
-    return fit_block(problem).cwiseMax(0.);
+    return nonnegative_least_squares(gram, products, n_nonnegative);
   }
 } // namespace springfit

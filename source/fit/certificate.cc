@@ -14,9 +14,8 @@ namespace springfit
     {
       // The optimality conditions of a fit of M are the constraints on what
       // it leaves: b_s^T (M - B diag(c) B^T) b_s = 0, or <= 0 with c >= 0.
-      const Eigen::VectorXd c = problem.nonnegative
-                                  ? fit_frobenius_nonnegative(problem.B, M)
-                                  : fit_frobenius(problem.B, M);
+      const Eigen::VectorXd c =
+        fit_frobenius(problem.B, M, problem.n_nonnegative);
       return M - problem.B * c.asDiagonal() * problem.B.transpose();
     }
 

@@ -2,7 +2,10 @@
 #include <springfit/fit/barrier_engine.h>
 #include <springfit/fit/baudet.h>
 #include <springfit/fit/block.h>
+#include <springfit/fit/cell_terms.h>
 #include <springfit/fit/certificate.h>
+#include <springfit/fit/consistent.h>
+#include <springfit/fit/coupled_cell.h>
 #include <springfit/fit/delingette.h>
 #include <springfit/fit/fit.h>
 #include <springfit/fit/frobenius.h>
@@ -12,8 +15,12 @@
 #include <springfit/fit/lloyd.h>
 #include <springfit/fit/spectral.h>
 #include <springfit/springs/negative.h>
+#include <springfit/springs/rigid_modes.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace springfit
@@ -27,20 +34,31 @@ namespace springfit
       std::optional<double> duality_gap = {};
     };
 
+    // Those of the cell's stiffness; n_nonnegative of the terms, from the first
+    // on, must not be negative.
+
     Constants
-    block(const FitProblem &problem, const FitOptions &options)
+    block(const FitProblem &problem,
+          const CellTerms &terms,
+          const Eigen::Index n_nonnegative,
+          const FitOptions &)
     {
-      return {{options.nonnegative ? fit_block_nonnegative(problem)
-                                   : fit_block(problem)}};
+      return {make_cell_model(terms,
+                              fit_block(terms.gradients,
+                                        problem.stiffness,
+                                        problem.points.rows(),
+                                        n_nonnegative))};
     }
 
     Constants
-    frobenius(const FitProblem &problem, const FitOptions &options)
+    frobenius(const FitProblem &problem,
+              const CellTerms &terms,
+              const Eigen::Index n_nonnegative,
+              const FitOptions &)
     {
-      const Eigen::MatrixXd &B = problem.gradients;
-      const Eigen::MatrixXd &R = problem.stiffness;
-      return {{options.nonnegative ? fit_frobenius_nonnegative(B, R)
-                                   : fit_frobenius(B, R)}};
+      return {make_cell_model(
+        terms,
+        fit_frobenius(terms.gradients, problem.stiffness, n_nonnegative))};
     }
 
     /**
@@ -54,15 +72,50 @@ namespace springfit
     }
 
     Constants
-    spectral(const FitProblem &problem, const FitOptions &options)
+    solve(const SpectralProblem &problem,
+          const CellTerms &terms,
+          const FitOptions &options)
     {
-      const SpectralProblem scaled =
-        make_spectral_problem(problem, options.nonnegative);
       const double mu                 = final_mu(options.tolerance);
       const SpectralSolution solution = options.engine == Engine::ipopt
-                                          ? solve_by_ipopt(scaled, mu)
-                                          : solve_by_barrier(scaled, mu);
-      return {{scaled.scale * solution.k}, duality_gap(scaled, solution)};
+                                          ? solve_by_ipopt(problem, mu)
+                                          : solve_by_barrier(problem, mu);
+      return {make_cell_model(terms, problem.scale * solution.k),
+              duality_gap(problem, solution)};
+    }
+
+    Constants
+    spectral(const FitProblem &problem,
+             const CellTerms &terms,
+             const Eigen::Index n_nonnegative,
+             const FitOptions &options)
+    {
+      return solve(make_spectral_problem(problem.points,
+                                         terms.gradients,
+                                         problem.stiffness,
+                                         n_nonnegative),
+                   terms,
+                   options);
+    }
+
+    Constants
+    consistent(const FitProblem &problem,
+               const CellTerms &terms,
+               const Eigen::Index n_nonnegative,
+               const FitOptions &options)
+    {
+      if (options.norm == Norm::spectral && !is_simplex(problem.kind))
+        return solve(make_consistent_spectral_problem(problem.points,
+                                                      terms.gradients,
+                                                      problem.stiffness,
+                                                      n_nonnegative),
+                     terms,
+                     options);
+      return {make_cell_model(terms,
+                              fit_consistent(problem.points,
+                                             terms.gradients,
+                                             problem.stiffness,
+                                             n_nonnegative))};
     }
 
     // The published ones, from the shape and the material.
@@ -135,10 +188,18 @@ namespace springfit
     {
       Method method;
       std::string word;
-      bool published;
       std::vector<CellKind> cells;
       std::vector<Enrichment> enrichments;
-      Constants (*constants)(const FitProblem &, const FitOptions &);
+
+      /** Of a fit to the cell's stiffness; null of a published one. */
+      Constants (*approximate)(const FitProblem &,
+                               const CellTerms &,
+                               Eigen::Index,
+                               const FitOptions &);
+
+      /** Of a published one; null of the others. */
+      Constants (*published)(const FitProblem &, const FitOptions &);
+
       Assumptions (*unmet)(const Eigen::MatrixXd &,
                            CellKind,
                            const IsotropicMaterial &);
@@ -155,56 +216,65 @@ namespace springfit
       const auto all      = {triangle, quadrilateral, tetrahedron, hexahedron};
       const auto none     = Enrichment::none;
       const auto volume   = Enrichment::volume;
+      const auto angles   = Enrichment::angles;
       const auto coupling = Enrichment::coupling;
+      const auto every    = {none, volume, angles, coupling};
       static const std::vector<Description> table = {
-        {Method::block, "block", false, all, {none}, &block, &none_unmet},
+        {Method::block, "block", all, every, &block, nullptr, &none_unmet},
         {Method::frobenius,
          "frobenius",
-         false,
          all,
-         {none},
+         every,
          &frobenius,
+         nullptr,
          &none_unmet},
         {Method::spectral,
          "spectral",
-         false,
          all,
-         {none},
+         every,
          &spectral,
+         nullptr,
+         &none_unmet},
+        {Method::consistent,
+         "consistent",
+         all,
+         every,
+         &consistent,
+         nullptr,
          &none_unmet},
         {Method::gelder,
          "gelder",
-         true,
          {triangle, tetrahedron},
          {none},
+         nullptr,
          &gelder,
          &none_unmet},
         {Method::lloyd,
          "lloyd",
-         true,
          {triangle, quadrilateral, tetrahedron},
          {none},
+         nullptr,
          &lloyd,
          &lloyd_assumptions},
         {Method::baudet,
          "baudet",
-         true,
          {quadrilateral, hexahedron},
          {none, coupling},
+         nullptr,
          &baudet,
          &baudet_assumptions},
         {Method::delingette,
          "delingette",
-         true,
          {triangle},
          {none, coupling},
+         nullptr,
          &delingette,
          &none_unmet},
         {Method::golec,
          "golec",
-         true,
          {tetrahedron},
          {volume},
+         nullptr,
          &golec,
          &golec_unmet}};
       return table;
@@ -217,6 +287,100 @@ namespace springfit
         if (entry.method == method)
           return entry;
       throw std::logic_error("a fit has no description");
+    }
+
+    /**
+     * A cell with all its couplings is exact: whatever the norm, the fit is the
+     * same and leaves nothing.
+     */
+    Constants
+    coupled(const FitProblem &problem, const Method method)
+    {
+      Constants found{fit_coupled_cell(problem)};
+      if (method == Method::spectral)
+        found.duality_gap = spectral_norm(residual(problem, found.model)) /
+                            spectral_norm(problem.stiffness);
+      return found;
+    }
+
+    /**
+     * The smallest eigenvalue of a cell's forces on its deformations, relative
+     * to ||R||_2.
+     */
+    double
+    smallest_eigenvalue(const FitProblem &problem, const CellModel &model)
+    {
+      const Eigen::MatrixXd Q = deformation_basis(problem.points);
+      const Eigen::MatrixXd K = problem.stiffness - residual(problem, model);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+        Q.transpose() * K * Q, Eigen::EigenvaluesOnly);
+      return eigen.eigenvalues()[0] / spectral_norm(problem.stiffness);
+    }
+
+    /** Below it an eigenvalue is negative, above it may be rounding. */
+    constexpr double zero_eigenvalue = -1e-10;
+
+    bool
+    is_definite(const FitProblem &problem, const CellModel &model)
+    {
+      return smallest_eigenvalue(problem, model) >= zero_eigenvalue;
+    }
+
+    /**
+     * The model 90 % of the way from @p safe towards @p wanted on which the
+     * cell stays positive semidefinite: definite cells are a convex set.
+     */
+    CellModel
+    furthest_definite(const FitProblem &problem,
+                      const CellModel &safe,
+                      const CellModel &wanted)
+    {
+      double inside = 0., outside = 1.;
+      while (outside - inside > 1e-3)
+        {
+          const double middle = 0.5 * (inside + outside);
+          (is_definite(problem, between(safe, wanted, middle)) ? inside
+                                                               : outside) =
+            middle;
+        }
+      return between(safe, wanted, 0.9 * inside);
+    }
+
+    Constants
+    approximate(const FitProblem &problem,
+                const Method method,
+                const FitOptions &options)
+    {
+      if (options.enrichment == Enrichment::coupling)
+        return coupled(problem, method);
+
+      const auto fit   = description(method).approximate;
+      const auto terms = make_cell_terms(problem, options.enrichment);
+      if (!options.nonnegative)
+        return fit(problem, terms, 0, options);
+
+      const Constants found = fit(problem, terms, terms.n_one_signed, options);
+      if (is_definite(problem, found.model))
+        return found;
+      // Volumes or angles so negative that the cell gives way. With all
+      // constants >= 0 it cannot.
+      const Constants safe = fit(problem, terms, terms.norms.size(), options);
+      // A certificate holds for an end of the way only.
+      if (safe.duality_gap)
+        return safe;
+      return {furthest_definite(problem, safe.model, found.model)};
+    }
+
+    std::string
+    not_definite(const double eigenvalue, const FitOptions &options)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "its springs with '"
+           << word_of(enrichment_words(), options.enrichment)
+           << "' release energy in a deformation: the smallest eigenvalue is "
+           << eigenvalue << " of the cell's largest one.";
+      return text.str();
     }
 
     template <typename Value>
@@ -241,22 +405,20 @@ namespace springfit
   }
 
 
-  const WordTable<Enrichment> &
-  enrichment_words()
-  {
-    static const WordTable<Enrichment> table = {{Enrichment::none, "none"},
-                                                {Enrichment::volume, "volume"},
-                                                {Enrichment::coupling,
-                                                 "coupling"}};
-    return table;
-  }
-
-
   const WordTable<Engine> &
   engine_words()
   {
     static const WordTable<Engine> table = {{Engine::ipopt, "ipopt"},
                                             {Engine::barrier, "barrier"}};
+    return table;
+  }
+
+
+  const WordTable<Norm> &
+  norm_words()
+  {
+    static const WordTable<Norm> table = {{Norm::frobenius, "frobenius"},
+                                          {Norm::spectral, "spectral"}};
     return table;
   }
 
@@ -278,7 +440,7 @@ namespace springfit
   bool
   is_published(const Method method)
   {
-    return description(method).published;
+    return description(method).published != nullptr;
   }
 
 
@@ -305,12 +467,41 @@ namespace springfit
       throw std::logic_error("a fit is not for these cells or does not have "
                              "this enrichment");
 
-    const Constants found   = description(method).constants(problem, options);
+    const Constants found = is_published(method)
+                              ? description(method).published(problem, options)
+                              : approximate(problem, method, options);
+    if (!all_finite(found.model))
+      throw RunError("its constants are not finite.",
+                     "Improve the mesh there, or choose another material.");
+
     const Eigen::MatrixXd E = residual(problem, found.model);
-    return {found.model,
-            E.norm() / R.norm(),
-            spectral_norm(E) / spectral_norm(R),
-            found.duality_gap,
-            n_negative(found.model.k)};
+    const FitResult result{{found.model},
+                           E.norm() / R.norm(),
+                           spectral_norm(E) / spectral_norm(R),
+                           found.duality_gap,
+                           smallest_eigenvalue(problem, found.model),
+                           n_negative(found.model.k)};
+    // Springs alone, free, may release energy, and so may published formulas:
+    // they are what they are.
+    if (!is_published(method) && options.enrichment != Enrichment::none &&
+        result.smallest_eigenvalue < zero_eigenvalue)
+      throw RunError(not_definite(result.smallest_eigenvalue, options),
+                     "Set 'Fit/Nonnegative = true', which keeps it from that, "
+                     "or improve the mesh there.");
+    return result;
+  }
+
+
+  void
+  check_certificate(const FitResult &result, const FitOptions &options)
+  {
+    if (!result.duality_gap || *result.duality_gap <= options.tolerance)
+      return;
+    std::ostringstream text;
+    text << "its certified gap is " << *result.duality_gap
+         << ", more than 'Tolerance' " << options.tolerance << '.';
+    throw RunError(text.str(),
+                   "Improve the mesh there, raise 'Tolerance' in section Fit, "
+                   "or choose another 'Engine'.");
   }
 } // namespace springfit

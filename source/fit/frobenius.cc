@@ -1,8 +1,6 @@
 #include <springfit/fit/frobenius.h>
 #include <springfit/fit/nonnegative_least_squares.h>
 
-#include <Eigen/Cholesky>
-
 namespace springfit
 {
   Eigen::MatrixXd
@@ -20,15 +18,12 @@ namespace springfit
 
 
   Eigen::VectorXd
-  fit_frobenius(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R)
+  fit_frobenius(const Eigen::MatrixXd &B,
+                const Eigen::MatrixXd &R,
+                const Eigen::Index n_nonnegative)
   {
-    return tangent_gram(B).llt().solve(tangent_products(B, R));
-  }
-
-
-  Eigen::VectorXd
-  fit_frobenius_nonnegative(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R)
-  {
-    return nonnegative_least_squares(tangent_gram(B), tangent_products(B, R));
+    return nonnegative_least_squares(tangent_gram(B),
+                                     tangent_products(B, R),
+                                     n_nonnegative);
   }
 } // namespace springfit

@@ -63,9 +63,8 @@ namespace springfit
                       Number *g_lower,
                       Number *g_upper) override
       {
-        const Number k_lower = problem_.nonnegative ? 0. : -unbounded;
-        VectorView(x_lower, n).setConstant(k_lower);
-        x_lower[n - 1] = -unbounded;
+        VectorView(x_lower, n).setConstant(-unbounded);
+        VectorView(x_lower, n).head(problem_.n_nonnegative).setZero();
         VectorView(x_upper, n).setConstant(unbounded);
         VectorView(g_lower, m).setZero();
         VectorView(g_upper, m).setConstant(unbounded);

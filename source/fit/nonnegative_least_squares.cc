@@ -40,11 +40,12 @@ namespace springfit
 
     /**
      * From a feasible @p x towards the minimiser over the free variables,
-     * releasing on the way those that would become negative.
+     * holding on the way those that would become negative.
      */
     Eigen::VectorXd
     descend(const Eigen::MatrixXd &G,
             const Eigen::VectorXd &g,
+            const Eigen::Index n_nonnegative,
             Eigen::VectorXd x,
             std::vector<bool> &is_free)
     {
@@ -56,7 +57,8 @@ namespace springfit
           double step          = 1.;
           Eigen::Index blocked = -1;
           for (const Eigen::Index s : free)
-            if (target[s] <= 0. && x[s] / (x[s] - target[s]) <= step)
+            if (s < n_nonnegative && target[s] <= 0. &&
+                x[s] / (x[s] - target[s]) <= step)
               {
                 step    = x[s] / (x[s] - target[s]);
                 blocked = s;
@@ -66,7 +68,7 @@ namespace springfit
 
           x += step * (target - x);
           for (const Eigen::Index s : free)
-            if (s == blocked || x[s] <= 0.)
+            if (s < n_nonnegative && (s == blocked || x[s] <= 0.))
               {
                 x[s]       = 0.;
                 is_free[s] = false;
@@ -76,14 +78,17 @@ namespace springfit
   } // namespace
 
   Eigen::VectorXd
-  nonnegative_least_squares(const Eigen::MatrixXd &G, const Eigen::VectorXd &g)
+  nonnegative_least_squares(const Eigen::MatrixXd &G,
+                            const Eigen::VectorXd &g,
+                            const Eigen::Index n_nonnegative)
   {
     const Eigen::Index n  = g.size();
     const double rounding = 10. * n * std::numeric_limits<double>::epsilon() *
                             g.cwiseAbs().maxCoeff();
 
-    std::vector<bool> is_free(n, false);
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+    std::vector<bool> is_free(n, true);
+    std::fill_n(is_free.begin(), n_nonnegative, false);
+    Eigen::VectorXd x = minimise_over(G, g, positions(is_free));
     // Each round lowers the objective, so no set of free variables returns;
     // in practice about n rounds suffice.
     for (Eigen::Index round = 0; round < 30 * n + 10; ++round)
@@ -96,7 +101,7 @@ namespace springfit
         if (descent.maxCoeff(&steepest) <= rounding)
           return x;
         is_free[steepest] = true;
-        x                 = descend(G, g, x, is_free);
+        x                 = descend(G, g, n_nonnegative, x, is_free);
       }
     throw RunError("A least squares fit with k >= 0 did not settle.",
                    "Check the cells' shapes, or fit without k >= 0.");

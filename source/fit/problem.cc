@@ -39,6 +39,12 @@ namespace springfit
           stiffness * B.col(a) * B.col(b).transpose();
         E -= term + term.transpose();
       }
+    if (model.angle_stiffness.size() > 0)
+      {
+        const Eigen::MatrixXd A =
+          angle_gradients(problem.points, cell_angles(problem.kind));
+        E -= A * model.angle_stiffness.asDiagonal() * A.transpose();
+      }
     if (model.volume_stiffness)
       {
         const Eigen::VectorXd g = volume_gradient(problem.points, problem.kind);

@@ -100,12 +100,15 @@ namespace springfit
 
 
   SpectralProblem
-  make_spectral_problem(const FitProblem &problem, const bool nonnegative)
+  make_spectral_problem(const Eigen::MatrixXd &points,
+                        const Eigen::MatrixXd &B,
+                        const Eigen::MatrixXd &R,
+                        const Eigen::Index n_nonnegative)
   {
-    const Eigen::MatrixXd Q = deformation_basis(problem.points);
-    const Eigen::MatrixXd R = Q.transpose() * problem.stiffness * Q;
-    const double scale      = spectral_norm(R);
-    return {R / scale, Q.transpose() * problem.gradients, scale, nonnegative};
+    const Eigen::MatrixXd Q         = deformation_basis(points);
+    const Eigen::MatrixXd projected = Q.transpose() * R * Q;
+    const double scale              = spectral_norm(projected);
+    return {projected / scale, Q.transpose() * B, scale, n_nonnegative};
   }
 
 
@@ -117,9 +120,9 @@ namespace springfit
     constexpr double k_floor = 0.01;
     constexpr double t_floor = 0.05;
 
-    Eigen::VectorXd k = fit_frobenius(problem.B, problem.R);
-    if (problem.nonnegative)
-      k = k.cwiseMax(k_floor);
+    Eigen::VectorXd k  = fit_frobenius(problem.B, problem.R, 0);
+    const auto bounded = Eigen::seqN(0, problem.n_nonnegative);
+    k(bounded)         = k(bounded).cwiseMax(k_floor).eval();
     Eigen::VectorXd x(k.size() + 1);
     x << k, 1.2 * spectral_norm(residual(problem, k)) + t_floor;
     return x;

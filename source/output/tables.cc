@@ -33,13 +33,14 @@ namespace springfit
              const std::vector<FitRow> &rows)
   {
     CsvTable table("fit,cell,multiplicity,frobenius_residual,spectral_residual,"
-                   "duality_gap,n_negative,seconds");
+                   "duality_gap,n_negative,seconds,smallest_eigenvalue");
     for (const auto &row : rows)
       {
         table.new_row();
         table << row.fit << row.cell << row.multiplicity
               << row.frobenius_residual << row.spectral_residual
-              << row.duality_gap << row.n_negative << row.seconds;
+              << row.duality_gap << row.n_negative << row.seconds
+              << row.smallest_eigenvalue;
       }
     table.write(folder / "fit.csv");
   }

@@ -6,17 +6,22 @@ namespace springfit
 {
   namespace
   {
+    /** Centred and of size one: modes of like magnitude. */
+    Eigen::MatrixXd
+    normalised(const Eigen::MatrixXd &points)
+    {
+      const Eigen::MatrixXd x = points.colwise() - points.rowwise().mean();
+      return x / x.cwiseAbs().maxCoeff();
+    }
+
     /** Translations, then infinitesimal rotations about the centre. */
     Eigen::MatrixXd
-    raw_modes(const Eigen::MatrixXd &points)
+    rigid_modes(const Eigen::MatrixXd &points)
     {
       const Eigen::Index dim         = points.rows();
       const Eigen::Index n_nodes     = points.cols();
       const Eigen::Index n_rotations = dim * (dim - 1) / 2;
-
-      // Centred and of size one: columns of like magnitude.
-      Eigen::MatrixXd x = points.colwise() - points.rowwise().mean();
-      x /= x.cwiseAbs().maxCoeff();
+      const Eigen::MatrixXd x        = normalised(points);
 
       Eigen::MatrixXd modes =
         Eigen::MatrixXd::Zero(dim * n_nodes, dim + n_rotations);
@@ -31,6 +36,28 @@ namespace springfit
                 modes(dim * v + b, column) = x(a, v);
               }
         }
+      return modes;
+    }
+
+    /** The rigid motions, then stretches along the axes and shears. */
+    Eigen::MatrixXd
+    affine_modes(const Eigen::MatrixXd &points)
+    {
+      const Eigen::Index dim      = points.rows();
+      const Eigen::MatrixXd rigid = rigid_modes(points);
+      const Eigen::MatrixXd x     = normalised(points);
+
+      Eigen::MatrixXd modes =
+        Eigen::MatrixXd::Zero(rigid.rows(), dim + dim * dim);
+      modes.leftCols(rigid.cols()) = rigid;
+      Eigen::Index column          = rigid.cols();
+      for (Eigen::Index a = 0; a < dim; ++a)
+        for (Eigen::Index b = a; b < dim; ++b, ++column)
+          for (Eigen::Index v = 0; v < points.cols(); ++v)
+            {
+              modes(dim * v + a, column) = x(b, v);
+              modes(dim * v + b, column) = x(a, v);
+            }
       return modes;
     }
 
@@ -52,14 +79,31 @@ namespace springfit
   Eigen::MatrixXd
   rigid_body_modes(const Eigen::MatrixXd &points)
   {
-    const Eigen::MatrixXd modes = raw_modes(points);
+    const Eigen::MatrixXd modes = rigid_modes(points);
     return orthonormal_columns(modes, 0, modes.cols());
   }
 
   Eigen::MatrixXd
   deformation_basis(const Eigen::MatrixXd &points)
   {
-    const Eigen::MatrixXd modes = raw_modes(points);
+    const Eigen::MatrixXd modes = rigid_modes(points);
+    return orthonormal_columns(modes,
+                               modes.cols(),
+                               modes.rows() - modes.cols());
+  }
+
+  Eigen::MatrixXd
+  affine_basis(const Eigen::MatrixXd &points)
+  {
+    const Eigen::MatrixXd modes = affine_modes(points);
+    const Eigen::Index n_rigid  = rigid_modes(points).cols();
+    return orthonormal_columns(modes, n_rigid, modes.cols() - n_rigid);
+  }
+
+  Eigen::MatrixXd
+  hourglass_basis(const Eigen::MatrixXd &points)
+  {
+    const Eigen::MatrixXd modes = affine_modes(points);
     return orthonormal_columns(modes,
                                modes.cols(),
                                modes.rows() - modes.cols());

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -54,7 +55,8 @@ namespace springfit
                         cell.result.spectral_residual,
                         cell.result.duality_gap,
                         cell.result.n_negative,
-                        cell.seconds});
+                        cell.seconds,
+                        cell.result.smallest_eigenvalue});
       return rows;
     }
 
@@ -63,24 +65,27 @@ namespace springfit
     fit_summary(const CalibratedNetwork &network)
     {
       double spectral = 0., frobenius = 0., gap = 0.;
-      bool certified = false;
+      double smallest = std::numeric_limits<double>::max();
+      bool certified  = false;
       for (const auto &cell : network.cells)
         {
           frobenius = std::max(frobenius, cell.result.frobenius_residual);
           spectral  = std::max(spectral, cell.result.spectral_residual);
+          smallest  = std::min(smallest, cell.result.smallest_eigenvalue);
           if (cell.result.duality_gap)
             {
               certified = true;
               gap       = std::max(gap, *cell.result.duality_gap);
             }
         }
-      return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %12s %9.3f",
+      return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %10.2f %12s %9.3f",
                        network.name.c_str(),
                        network.cells.size(),
                        network.network.stiffness.size(),
                        n_negative(network.network),
                        100. * frobenius,
                        100. * spectral,
+                       100. * smallest,
                        certified ? formatted("%.1e", gap).c_str() : "-",
                        network.seconds);
     }
@@ -202,7 +207,7 @@ namespace springfit
                                                       calibrated.materials,
                                                       session);
     session.print(
-      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%  "
+      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%    k min%  "
       "duality gap    time s");
     std::vector<FitRow> rows;
     for (const auto &network : calibrated.networks)

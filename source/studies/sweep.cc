@@ -1,3 +1,4 @@
+#include <springfit/calibration/cell_fits.h>
 #include <springfit/comparison/uniaxial_test.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
@@ -41,18 +42,7 @@ namespace springfit
              const FitOptions &options)
     {
       const FitResult result = fit(problem, method, options);
-      if (!all_finite(result))
-        throw RunError("its constants are not finite.",
-                       "Choose another material.");
-      if (result.duality_gap && !(*result.duality_gap <= options.tolerance))
-        {
-          std::ostringstream text;
-          text << "its certified gap is " << *result.duality_gap
-               << ", more than 'Tolerance' " << options.tolerance << '.';
-          throw RunError(text.str(),
-                         "Raise 'Tolerance' in section Fit, or choose another "
-                         "'Engine'.");
-        }
+      check_certificate(result, options);
       return {word_of(method_words(), method),
               word_of(enrichment_words(), options.enrichment),
               problem.stiffness - residual(problem, result),

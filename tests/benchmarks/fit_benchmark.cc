@@ -4,6 +4,7 @@
 
 #include <springfit/fit/barrier_engine.h>
 #include <springfit/fit/block.h>
+#include <springfit/fit/consistent.h>
 #include <springfit/fit/fit.h>
 #include <springfit/fit/frobenius.h>
 
@@ -35,14 +36,29 @@ namespace
   }
 
   const std::vector<std::pair<std::string, Fit>> fits = {
-    {"block", fit_block},
+    {"block",
+     [](const FitProblem &problem) {
+       return fit_block(problem.gradients,
+                        problem.stiffness,
+                        problem.points.rows(),
+                        0);
+     }},
     {"frobenius",
      [](const FitProblem &problem) {
-       return fit_frobenius(problem.gradients, problem.stiffness);
+       return fit_frobenius(problem.gradients, problem.stiffness, 0);
      }},
     {"frobenius nonnegative",
      [](const FitProblem &problem) {
-       return fit_frobenius_nonnegative(problem.gradients, problem.stiffness);
+       return fit_frobenius(problem.gradients,
+                            problem.stiffness,
+                            problem.gradients.cols());
+     }},
+    {"consistent nonnegative",
+     [](const FitProblem &problem) {
+       return fit_consistent(problem.points,
+                             problem.gradients,
+                             problem.stiffness,
+                             problem.gradients.cols());
      }},
     {"spectral ipopt", spectral_fit(Engine::ipopt)},
     {"spectral barrier", spectral_fit(Engine::barrier)}};

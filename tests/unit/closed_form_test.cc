@@ -204,9 +204,10 @@ namespace
     Random random(2);
     for (const CellKind kind : all_kinds)
       {
-        const auto problem      = oracle::random_problem(kind, random);
-        const Eigen::VectorXd k = fit_block(problem);
-        const int dim           = dimension(kind);
+        const auto problem = oracle::random_problem(kind, random);
+        const int dim      = dimension(kind);
+        const Eigen::VectorXd k =
+          fit_block(problem.gradients, problem.stiffness, dim, 0);
         for (std::size_t s = 0; s < problem.springs.size(); ++s)
           {
             const auto [i, j] = problem.springs[s];
@@ -221,7 +222,14 @@ namespace
             EXPECT_NEAR(misfit(k[s] + 1.), misfit(k[s] - 1.), 1e-12);
             EXPECT_NEAR(misfit(k[s] + 1.) - misfit(k[s]), 1., 1e-12);
           }
-        EXPECT_EQ(fit_block_nonnegative(problem), k.cwiseMax(0.));
+        // One quadratic per spring.
+        EXPECT_LT((fit_block(problem.gradients,
+                             problem.stiffness,
+                             dim,
+                             problem.springs.size()) -
+                   k.cwiseMax(0.))
+                    .norm(),
+                  1e-13);
       }
   }
 
@@ -232,7 +240,7 @@ namespace
       {
         const auto problem = oracle::random_problem(kind, random);
         const Eigen::VectorXd k =
-          fit_frobenius(problem.gradients, problem.stiffness);
+          fit_frobenius(problem.gradients, problem.stiffness, 0);
         const double best = residual(problem, k).squaredNorm();
         for (int s = 0; s < k.size(); ++s)
           {
@@ -253,25 +261,34 @@ namespace
     for (const CellKind kind : all_kinds)
       {
         const auto problem   = oracle::random_problem(kind, random);
-        const auto projected = make_spectral_problem(problem, false);
-        EXPECT_LT((fit_frobenius(problem.gradients, problem.stiffness) -
-                   projected.scale * fit_frobenius(projected.B, projected.R))
+        const auto projected = spectral_problem(problem, 0);
+        EXPECT_LT((fit_frobenius(problem.gradients, problem.stiffness, 0) -
+                   projected.scale * fit_frobenius(projected.B, projected.R, 0))
                     .norm(),
                   1e-12);
       }
   }
 
-  /** Residuals of the optimality conditions of min x^T G x / 2 - g^T x. */
+  /**
+   * Residuals of the optimality conditions of min x^T G x / 2 - g^T x with the
+   * first @p n_bounded of x >= 0.
+   */
   void
   expect_optimal(const Eigen::MatrixXd &G,
                  const Eigen::VectorXd &g,
-                 const Eigen::VectorXd &x)
+                 const Eigen::VectorXd &x,
+                 const int n_bounded)
   {
     const Eigen::VectorXd gradient = G * x - g;
-    EXPECT_GE(x.minCoeff(), 0.);
-    EXPECT_GE(gradient.minCoeff(), -1e-12 * g.norm());
-    EXPECT_LT(x.cwiseProduct(gradient).cwiseAbs().maxCoeff(),
-              1e-12 * g.norm() * (1. + x.norm()));
+    const double rounding          = 1e-12 * g.norm() * (1. + x.norm());
+    for (int s = 0; s < n_bounded; ++s)
+      {
+        EXPECT_GE(x[s], 0.);
+        EXPECT_GE(gradient[s], -rounding);
+        EXPECT_NEAR(x[s] * gradient[s], 0., rounding);
+      }
+    for (int s = n_bounded; s < x.size(); ++s)
+      EXPECT_NEAR(gradient[s], 0., rounding);
   }
 
   TEST(NonnegativeLeastSquares, OptimalityConditionsHold)
@@ -284,10 +301,14 @@ namespace
         const Eigen::MatrixXd A = random.matrix(n + 5, n);
         const Eigen::MatrixXd G = A.transpose() * A;
         const Eigen::VectorXd g = A.transpose() * random.matrix(n + 5, 1);
-        const Eigen::VectorXd x = nonnegative_least_squares(G, g);
-        expect_optimal(G, g, x);
-        n_active += (x.array() == 0.).count();
-        n_free += (x.array() > 0.).count();
+        for (const int n_bounded : {n, n / 2, 0})
+          {
+            const Eigen::VectorXd x =
+              nonnegative_least_squares(G, g, n_bounded);
+            expect_optimal(G, g, x, n_bounded);
+            n_active += (x.array() == 0.).count();
+            n_free += (x.tail(n - n_bounded).array() < 0.).count();
+          }
       }
     EXPECT_GT(n_active, 500u);
     EXPECT_GT(n_free, 500u);
@@ -296,11 +317,11 @@ namespace
   TEST(NonnegativeLeastSquares, Corners)
   {
     const Eigen::Matrix2d I = Eigen::Matrix2d::Identity();
-    EXPECT_EQ(nonnegative_least_squares(I, Eigen::Vector2d(-1., -2.)),
+    EXPECT_EQ(nonnegative_least_squares(I, Eigen::Vector2d(-1., -2.), 2),
               Eigen::VectorXd(Eigen::Vector2d(0., 0.)));
-    EXPECT_EQ(nonnegative_least_squares(I, Eigen::Vector2d(0., 0.)),
+    EXPECT_EQ(nonnegative_least_squares(I, Eigen::Vector2d(0., 0.), 2),
               Eigen::VectorXd(Eigen::Vector2d(0., 0.)));
-    EXPECT_EQ(nonnegative_least_squares(I, Eigen::Vector2d(3., -2.)),
+    EXPECT_EQ(nonnegative_least_squares(I, Eigen::Vector2d(3., -2.), 2),
               Eigen::VectorXd(Eigen::Vector2d(3., 0.)));
   }
 
@@ -316,8 +337,8 @@ namespace
           const Eigen::VectorXd g =
             tangent_products(problem.gradients, problem.stiffness);
           const Eigen::VectorXd k =
-            fit_frobenius_nonnegative(problem.gradients, problem.stiffness);
-          expect_optimal(G, g, k);
+            fit_frobenius(problem.gradients, problem.stiffness, G.cols());
+          expect_optimal(G, g, k, G.cols());
           n_active += (k.array() == 0.).count();
         }
     EXPECT_GT(n_active, 20u);

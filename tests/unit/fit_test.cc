@@ -193,6 +193,7 @@ namespace
               (std::vector<std::string>{"block",
                                         "frobenius",
                                         "spectral",
+                                        "consistent",
                                         "gelder",
                                         "lloyd",
                                         "baudet",

@@ -4,6 +4,7 @@
 // What the tests of the fits share.
 
 #include <springfit/fit/fit.h>
+#include <springfit/fit/spectral.h>
 
 #include <utility>
 #include <vector>
@@ -52,6 +53,16 @@ namespace springfit::oracle
     Eigen::MatrixXd x = random_cell(kind, random);
     x.row(0) *= 3.;
     return fit_problem(x, kind, random(0., 0.45));
+  }
+
+  /** The springs of a cell alone; @p n_nonnegative of them k >= 0. */
+  inline SpectralProblem
+  spectral_problem(const FitProblem &problem, const Eigen::Index n_nonnegative)
+  {
+    return make_spectral_problem(problem.points,
+                                 problem.gradients,
+                                 problem.stiffness,
+                                 n_nonnegative);
   }
 } // namespace springfit::oracle
 

@@ -23,7 +23,7 @@ namespace
     for (const CellKind kind : all_kinds)
       {
         const auto problem      = oracle::random_problem(kind, random);
-        const auto scaled       = make_spectral_problem(problem, false);
+        const auto scaled       = spectral_problem(problem, 0);
         const Eigen::VectorXd k = random.matrix(problem.springs.size(), 1);
         EXPECT_NEAR(spectral_norm(scaled.R), 1., 1e-13);
         EXPECT_NEAR(scaled.scale * spectral_norm(residual(scaled, k)),
@@ -38,7 +38,7 @@ namespace
     for (const CellKind kind : all_kinds)
       {
         const auto problem =
-          make_spectral_problem(oracle::random_problem(kind, random), false);
+          spectral_problem(oracle::random_problem(kind, random), 0);
         Eigen::VectorXd x = random.matrix(problem.B.cols() + 1, 1);
         const double norm =
           spectral_norm(residual(problem, x.head(problem.B.cols())));
@@ -54,8 +54,8 @@ namespace
   TEST(Spectral, PivotsAreThoseOfTheFactorisation)
   {
     Random random(9);
-    const auto problem = make_spectral_problem(
-      oracle::random_problem(CellKind::hexahedron, random), false);
+    const auto problem =
+      spectral_problem(oracle::random_problem(CellKind::hexahedron, random), 0);
     const Eigen::VectorXd x = interior_point(problem);
     const Eigen::MatrixXd E = residual(problem, x.head(28));
     const Eigen::VectorXd d = *pivots(problem, x);
@@ -81,7 +81,7 @@ namespace
     for (const CellKind kind : all_kinds)
       {
         const auto problem =
-          make_spectral_problem(oracle::random_problem(kind, random), false);
+          spectral_problem(oracle::random_problem(kind, random), 0);
         const Eigen::VectorXd x        = interior_point(problem);
         const Eigen::VectorXd weights  = random.matrix(2 * problem.R.rows(), 1);
         const Eigen::MatrixXd jacobian = *pivot_jacobian(problem, x);
@@ -110,7 +110,7 @@ namespace
     for (const CellKind kind : all_kinds)
       {
         const auto problem =
-          make_spectral_problem(oracle::random_problem(kind, random), false);
+          spectral_problem(oracle::random_problem(kind, random), 0);
         const Eigen::VectorXd weights =
           random.matrix(2 * problem.R.rows(), 1).cwiseAbs();
         const Eigen::MatrixXd hessian =
@@ -129,8 +129,8 @@ namespace
       for (const bool nonnegative : {false, true})
         {
           const auto report = derivative_report(
-            make_spectral_problem(oracle::random_problem(kind, random),
-                                  nonnegative));
+            spectral_problem(oracle::random_problem(kind, random),
+                             nonnegative ? node_pairs(kind).size() : 0));
           EXPECT_NE(report.find("No errors detected by derivative checker"),
                     std::string::npos)
             << report;
@@ -171,7 +171,8 @@ namespace
     for (unsigned int cell = 0; cell < 5; ++cell)
       {
         const auto problem =
-          make_spectral_problem(slender_problem(kind, random), nonnegative);
+          spectral_problem(slender_problem(kind, random),
+                           nonnegative ? node_pairs(kind).size() : 0);
         const auto solution = engine == Engine::ipopt
                                 ? solve_by_ipopt(problem, 1e-10)
                                 : solve_by_barrier(problem, 1e-10);
@@ -194,7 +195,8 @@ namespace
     const auto [kind, engine, nonnegative] = GetParam();
     Random random(15);
     const auto problem =
-      make_spectral_problem(slender_problem(kind, random), nonnegative);
+      spectral_problem(slender_problem(kind, random),
+                       nonnegative ? node_pairs(kind).size() : 0);
     const auto solution  = solve_by_barrier(problem, 1e-10);
     const double optimum = spectral_norm(residual(problem, solution.k));
     const int n          = problem.R.rows();

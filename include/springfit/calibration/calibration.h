@@ -4,7 +4,6 @@
 #include <springfit/core/session.h>
 #include <springfit/fit/fit.h>
 #include <springfit/mesh/mesh.h>
-#include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
 #include <springfit/springs/network.h>
@@ -41,15 +40,6 @@ namespace springfit
     double seconds; // wall time of the calibration
   };
 
-
-  /** What the fits of one cell are given. */
-  template <int dim>
-  FitProblem
-  cell_problem(
-    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
-    CellKind kind,
-    CellMatrices<dim> &cell_matrices,
-    const CellMaterial &material);
 
   /**
    * The section "Fit": for every distinct cell, the reference stiffness, the
@@ -104,8 +94,11 @@ namespace springfit
 
     std::string methods_word_     = "frobenius, spectral";
     std::string enrichments_word_ = "none";
+    std::string norm_word_        = "frobenius";
     std::string engine_word_      = "ipopt";
+    std::string law_word_         = "quadratic";
     FitOptions options_;
+    SpringLaw law_ = SpringLaw::quadratic;
   };
 } // namespace springfit
 

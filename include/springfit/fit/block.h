@@ -1,28 +1,28 @@
 #ifndef springfit_fit_block_h
 #define springfit_fit_block_h
 
-#include <springfit/fit/problem.h>
-
 #include <Eigen/Core>
 
 namespace springfit
 {
   /**
-   * Each spring from its own off-diagonal block of R: the minimiser of
-   * ||R_ij + k n n^T||_F is k = -n^T R_ij n, with n the spring's direction
-   * (Natsupakpong and Cavusoglu 2010, equations (27) and (29)).
+   * The minimiser of the Frobenius norm of the blocks R_ij - K_ij, i != j,
+   * between two nodes, K = B diag(k) B^T: what a node does to itself is left
+   * out. Springs alone have one block each, and then it is
+   * k = -n^T R_ij n with n the spring's direction (Natsupakpong and Cavusoglu
+   * 2010, equations (27) and (29)).
    *
-   * @return one k per spring, N/m
+   * @param B (dim * n_nodes) x n_terms, the gradients of springs and others
+   * @param R (dim * n_nodes) x (dim * n_nodes)
+   * @param n_nonnegative how many of the k, from the first on, must not be
+   * negative
+   * @return one k per column of B, in the units of R
    */
   Eigen::VectorXd
-  fit_block(const FitProblem &problem);
-
-  /**
-   * The same with k >= 0. The problem is one quadratic per spring, so its
-   * minimiser is the free one with negative values replaced by zero.
-   */
-  Eigen::VectorXd
-  fit_block_nonnegative(const FitProblem &problem);
+  fit_block(const Eigen::MatrixXd &B,
+            const Eigen::MatrixXd &R,
+            Eigen::Index dim,
+            Eigen::Index n_nonnegative);
 } // namespace springfit
 
 #endif

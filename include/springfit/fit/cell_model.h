@@ -19,6 +19,9 @@ namespace springfit
     /** Between springs of the cell. */
     std::vector<LengthCoupling> couplings = {};
 
+    /** N m, one per angle in cell_angles(); empty if the cell has none. */
+    Eigen::VectorXd angle_stiffness = {};
+
     /**
      * Of the cell's volume spring, if it has one: N/m^5 in 3-d, of its area
      * N/m^3 in 2-d; see VolumeSpring.
@@ -28,6 +31,13 @@ namespace springfit
 
   bool
   all_finite(const CellModel &model);
+
+  /**
+   * (1 - t) a + t b, of two models with the same springs, angles and volume and
+   * without couplings.
+   */
+  CellModel
+  between(const CellModel &a, const CellModel &b, double t);
 } // namespace springfit
 
 #endif

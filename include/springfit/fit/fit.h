@@ -4,6 +4,7 @@
 #include <springfit/core/cell_kind.h>
 #include <springfit/core/words.h>
 #include <springfit/fit/cell_model.h>
+#include <springfit/fit/enrichment.h>
 #include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
@@ -20,19 +21,12 @@ namespace springfit
     block,
     frobenius,
     spectral,
+    consistent,
     gelder,
     lloyd,
     baudet,
     delingette,
     golec
-  };
-
-  /** What a cell has besides springs between all pairs of its vertices. */
-  enum class Enrichment
-  {
-    none,
-    volume,  // a spring of its volume, in 2-d of its area
-    coupling // terms between the lengths of two springs
   };
 
   /** What solves the spectral fit. */
@@ -42,14 +36,21 @@ namespace springfit
     barrier
   };
 
+  /** What the consistent fit minimises. */
+  enum class Norm
+  {
+    frobenius,
+    spectral
+  };
+
   const WordTable<Method> &
   method_words();
 
-  const WordTable<Enrichment> &
-  enrichment_words();
-
   const WordTable<Engine> &
   engine_words();
+
+  const WordTable<Norm> &
+  norm_words();
 
   /** The cells that a fit is for. */
   const std::vector<CellKind> &
@@ -81,8 +82,14 @@ namespace springfit
     /** One of those that the fit has. */
     Enrichment enrichment = Enrichment::none;
 
-    /** Keep every k >= 0. */
+    /**
+     * Keep every spring and angle from being negative. Volume springs and
+     * couplings are free as long as the cell stays positive semidefinite.
+     */
     bool nonnegative = false;
+
+    /** Of a consistent fit of quadrilaterals and hexahedra. */
+    Norm norm = Norm::frobenius;
 
     Engine engine = Engine::ipopt;
 
@@ -98,7 +105,7 @@ namespace springfit
   {
     /**
      * ||E||_F / ||R||_F and ||E||_2 / ||R||_2 with E all that the springs,
-     * couplings and the volume spring miss.
+     * couplings, angles and the volume spring miss.
      */
     double frobenius_residual;
     double spectral_residual;
@@ -106,11 +113,19 @@ namespace springfit
     /**
      * Of a spectral fit: how far at most ||E(k)||_2 is from the smallest
      * possible one, relative to ||R||_2. Certified by a dual bound, whatever
-     * the engine did.
+     * the engine did. Of a consistent fit in the spectral norm: the same of S E
+     * S and S R S, see consistent.h.
      */
     std::optional<double> duality_gap;
 
-    /** Springs; couplings and volume springs do not count. */
+    /**
+     * The smallest eigenvalue of the cell's stiffness at rest on its
+     * deformations, relative to ||R||_2: below zero it releases energy in
+     * some deformation, at zero it is a mechanism.
+     */
+    double smallest_eigenvalue;
+
+    /** Springs; couplings, angles and volume springs do not count. */
     unsigned int n_negative;
   };
 
@@ -119,11 +134,19 @@ namespace springfit
    * an enrichment in enrichments_of() the method. A large duality gap is
    * reported, not thrown.
    *
-   * @throws RunError when R is zero or not finite, or when the engine breaks
-   * down without a result.
+   * @throws RunError when R is zero or not finite, when the engine breaks
+   * down without a result, when a volume is zero or an angle straight or
+   * folded, when the constants are not finite, or when a cell with an
+   * enrichment, of a fit that is not published, is not positive semidefinite.
    */
   FitResult
   fit(const FitProblem &problem, Method method, const FitOptions &options);
+
+  /**
+   * @throws RunError when the result's duality gap exceeds the tolerance.
+   */
+  void
+  check_certificate(const FitResult &result, const FitOptions &options);
 } // namespace springfit
 
 #endif

@@ -10,7 +10,7 @@ namespace springfit
   // gradients lie in that subspace.
 
   /**
-   * The Gram matrix of the springs' tangents b_s b_s^T,
+   * The Gram matrix of the tangents b_s b_s^T,
    * G_st = <b_s b_s^T, b_t b_t^T> = (b_s . b_t)^2. It is positive definite
    * for springs between distinct pairs of nodes: each tangent alone has
    * entries in its off-diagonal block.
@@ -27,14 +27,14 @@ namespace springfit
    * sum_t (b_s . b_t)^2 k_t = b_s^T R b_s ("F-norm" of Natsupakpong and
    * Cavusoglu 2010).
    *
-   * @return one k per spring, in the units of R
+   * @param n_nonnegative how many of the k, from the first on, must not be
+   * negative
+   * @return one k per column of B, in the units of R
    */
   Eigen::VectorXd
-  fit_frobenius(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R);
-
-  /** The same over k >= 0. */
-  Eigen::VectorXd
-  fit_frobenius_nonnegative(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R);
+  fit_frobenius(const Eigen::MatrixXd &B,
+                const Eigen::MatrixXd &R,
+                Eigen::Index n_nonnegative);
 } // namespace springfit
 
 #endif

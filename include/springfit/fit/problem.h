@@ -46,8 +46,8 @@ namespace springfit
 
   /**
    * What all the lumped forces of a cell miss of R: E(k) without the tangents
-   * at rest of its couplings, c (b_a b_b^T + b_b b_a^T), and of its volume
-   * spring.
+   * at rest of its couplings, c (b_a b_b^T + b_b b_a^T), of its angles and of
+   * its volume spring.
    */
   Eigen::MatrixXd
   residual(const FitProblem &problem, const CellModel &model);

@@ -1,8 +1,6 @@
 #ifndef springfit_fit_spectral_h
 #define springfit_fit_spectral_h
 
-#include <springfit/fit/problem.h>
-
 #include <Eigen/Core>
 
 #include <optional>
@@ -12,7 +10,7 @@ namespace springfit
   /**
    * min_k ||E(k)||_2, E(k) = R - B diag(k) B^T, in its epigraph form: the
    * smallest t for which A1 = t I - E(k) and A2 = t I + E(k) are positive
-   * semidefinite, optionally with k >= 0.
+   * semidefinite, optionally with some k >= 0.
    *
    * R and B are projected on the cell's deformations, where they lose nothing,
    * and R is scaled to ||R||_2 = 1, so that t and every gap is relative.
@@ -28,12 +26,20 @@ namespace springfit
     /** ||R||_2 before scaling, N/m: multiply k by it. */
     double scale;
 
-    /** Keep k >= 0. */
-    bool nonnegative;
+    /** How many of the k, from the first on, must not be negative. */
+    Eigen::Index n_nonnegative;
   };
 
+  /**
+   * @param points dim x n_nodes, m
+   * @param B (dim * n_nodes) x n_terms
+   * @param R (dim * n_nodes) x (dim * n_nodes), N/m
+   */
   SpectralProblem
-  make_spectral_problem(const FitProblem &problem, bool nonnegative);
+  make_spectral_problem(const Eigen::MatrixXd &points,
+                        const Eigen::MatrixXd &B,
+                        const Eigen::MatrixXd &R,
+                        Eigen::Index n_nonnegative);
 
   /** A point (k, t) strictly inside: Frobenius' k and t above ||E(k)||_2. */
   Eigen::VectorXd

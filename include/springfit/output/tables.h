@@ -41,6 +41,9 @@ namespace springfit
     std::optional<double> duality_gap;
     unsigned int n_negative;
     double seconds;
+
+    /** Of the cell's forces at rest on its deformations, relative to R's. */
+    double smallest_eigenvalue;
   };
 
   /** comparison.csv */

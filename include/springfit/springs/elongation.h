@@ -2,6 +2,7 @@
 #define springfit_springs_elongation_h
 
 #include <springfit/springs/length.h>
+#include <springfit/springs/spring_law.h>
 
 #include <Eigen/Core>
 
@@ -9,24 +10,6 @@
 
 namespace springfit
 {
-  /**
-   * How the elongation of a spring follows from its length l and its rest
-   * length L. The energy k q^2 / 2 is of the second or of the fourth degree in
-   * the length; both laws have the same tangent at rest.
-   */
-  enum class SpringLaw
-  {
-    /** q = l - L: Hooke's spring. */
-    quadratic,
-
-    /**
-     * q = (l^2 - L^2) / (2 L), which is d^T E d / L with Green's strain E and
-     * d at rest: the full couplings of a P1 cell make it St. Venant-Kirchhoff's
-     * material (Delingette, IEEE TVCG 14 (2008) 329, "biquadratic springs").
-     */
-    biquadratic
-  };
-
   /** The elongation q of a spring and its derivatives. */
   template <int dim>
   struct Elongation

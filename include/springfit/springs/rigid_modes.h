@@ -21,6 +21,26 @@ namespace springfit
    */
   Eigen::MatrixXd
   deformation_basis(const Eigen::MatrixXd &points);
+
+
+  // The deformations in two parts, orthogonal to each other and to the rigid
+  // motions.
+
+  /**
+   * An orthonormal basis of the affine deformations, those of constant strain:
+   * 3 columns in 2-d, 6 in 3-d.
+   *
+   * @param points not on one line, in 3-d not in one plane
+   */
+  Eigen::MatrixXd
+  affine_basis(const Eigen::MatrixXd &points);
+
+  /**
+   * An orthonormal basis of the others, a cell's bending and hourglass modes: a
+   * simplex has none, a quadrilateral 2, a hexahedron 12.
+   */
+  Eigen::MatrixXd
+  hourglass_basis(const Eigen::MatrixXd &points);
 } // namespace springfit
 
 #endif

@@ -1,0 +1,70 @@
+#ifndef springfit_calibration_cell_fits_h
+#define springfit_calibration_cell_fits_h
+
+#include <springfit/calibration/distinct_cells.h>
+#include <springfit/core/session.h>
+#include <springfit/fit/fit.h>
+#include <springfit/mesh/mesh.h>
+#include <springfit/reference/cell_matrices.h>
+#include <springfit/reference/element.h>
+#include <springfit/reference/material.h>
+
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  template <int dim>
+  using CellIterator =
+    typename dealii::Triangulation<dim>::active_cell_iterator;
+
+  /** The cells of a mesh; the position is the active cell index. */
+  template <int dim>
+  std::vector<CellIterator<dim>>
+  cells_by_index(const Mesh<dim> &mesh);
+
+
+  /** The material as the fits know it. */
+  template <int dim>
+  IsotropicMaterial
+  material_of(const CellMaterial &material);
+
+  /** What the fits of one cell are given. */
+  template <int dim>
+  FitProblem
+  cell_problem(
+    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    CellKind kind,
+    CellMatrices<dim> &cell_matrices,
+    const CellMaterial &material);
+
+
+  struct TimedFit
+  {
+    FitResult result;
+    double seconds;
+  };
+
+  /**
+   * Fit every distinct cell of a mesh; the ranks share the work evenly.
+   * Collective.
+   *
+   * @param name of the fit, for messages
+   * @return by position in cells.distinct, on all ranks
+   *
+   * @throws RunError when a fit fails or its certified gap exceeds the
+   * tolerance, with the cell, its place and its shape quality.
+   */
+  template <int dim>
+  std::vector<TimedFit>
+  fit_distinct_cells(const DistinctCells &cells,
+                     const Mesh<dim> &mesh,
+                     const Element<dim> &element,
+                     const MaterialTable &materials,
+                     Method method,
+                     const FitOptions &options,
+                     const std::string &name,
+                     Session &session);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef springfit_fit_cell_terms_h
+#define springfit_fit_cell_terms_h
+
+#include <springfit/fit/cell_model.h>
+#include <springfit/fit/enrichment.h>
+#include <springfit/fit/problem.h>
+
+#include <Eigen/Core>
+
+namespace springfit
+{
+  /**
+   * The generalised springs that a fit may use, each by its tangent c g g^T at
+   * rest: the cell's springs first, then those of an enrichment.
+   */
+  struct CellTerms
+  {
+    Enrichment enrichment;
+
+    Eigen::Index n_springs;
+
+    /**
+     * (dim * n_nodes) x n_terms: the gradients of the coordinates. Those of
+     * volumes and angles are divided by their norms, so that every c is in
+     * N/m and of the order of the stiffness.
+     */
+    Eigen::MatrixXd gradients;
+
+    /** What the gradients were divided by; 1 for a spring. */
+    Eigen::VectorXd norms;
+
+    /**
+     * How many of the terms, from the first on, a fit with k >= 0 keeps from
+     * being negative: the springs. Volumes and angles are free: they make up
+     * for a lambda < mu or > mu.
+     */
+    Eigen::Index n_one_signed;
+  };
+
+  /**
+   * The springs of a cell, with its volume spring or its angles.
+   *
+   * @param enrichment not coupling, whose tangents are not of this form: see
+   * coupled_cell.h
+   * @throws RunError when the volume is zero or an angle straight or folded.
+   */
+  CellTerms
+  make_cell_terms(const FitProblem &problem, Enrichment enrichment);
+
+  /** The forces of a cell from the constants of its terms, in N/m. */
+  CellModel
+  make_cell_model(const CellTerms &terms, const Eigen::VectorXd &constants);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,55 @@
+#ifndef springfit_fit_consistent_h
+#define springfit_fit_consistent_h
+
+#include <springfit/fit/spectral.h>
+
+#include <Eigen/Core>
+
+namespace springfit
+{
+  // The consistent fit: what a cell does under constant strain comes first.
+  //
+  // A mesh of small cells follows smooth displacements, and within a cell these
+  // are affine up to the order of the cell's size. An error there is one of
+  // the material and no refinement removes it; an error in the other,
+  // "hourglass" modes counts with the square of the cell's size. The fits of
+  // the whole matrix know no such order: a hexahedron has 12 hourglass modes
+  // and 6 affine ones, and they spend most of their freedom on the former.
+  //
+  // Arguments as in block.h, with
+  // @param points dim x n_nodes, m
+
+  /**
+   * A ladder of least squares on the error E = R - B diag(k) B^T, each rung
+   * weighted against the next. With M the displacements of unit strains and H
+   * an orthonormal basis of the hourglass modes:
+   *
+   *  10000  the bulk and the mean shear modulus: the two invariants of
+   *         M^T E M under rotations. Least squares with too few terms shrink,
+   *         and without this rung a network is too soft;
+   *   1000  M^T E M, the energies of affine modes: the homogenised tensor;
+   *    300  M^T E H, the forces of affine modes: the patch test. It keeps
+   *         the hourglass modes from losing their stiffness, too;
+   *      1  H^T E H, and M^T E H again.
+   *
+   * A simplex has no hourglass modes and takes the first two rungs.
+   */
+  Eigen::VectorXd
+  fit_consistent(const Eigen::MatrixXd &points,
+                 const Eigen::MatrixXd &B,
+                 const Eigen::MatrixXd &R,
+                 Eigen::Index n_nonnegative);
+
+  /**
+   * The spectral fit of S E S, where S multiplies affine modes by 17 (the
+   * ladder's 300 is its square) and leaves the others: one norm in which
+   * affine modes come first. Not for a simplex, on which S is a factor.
+   */
+  SpectralProblem
+  make_consistent_spectral_problem(const Eigen::MatrixXd &points,
+                                   const Eigen::MatrixXd &B,
+                                   const Eigen::MatrixXd &R,
+                                   Eigen::Index n_nonnegative);
+} // namespace springfit
+
+#endif

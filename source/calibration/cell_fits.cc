@@ -1,0 +1,166 @@
+#include <springfit/calibration/cell_fits.h>
+#include <springfit/calibration/packed_fit.h>
+#include <springfit/calibration/shape_quality.h>
+#include <springfit/core/collective.h>
+#include <springfit/core/error.h>
+#include <springfit/core/progress.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <map>
+#include <sstream>
+
+namespace springfit
+{
+  namespace
+  {
+    /** A distinct cell as an error names it. */
+    template <int dim>
+    std::string
+    description(const CellIterator<dim> &cell, const CellKind kind)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << singular(kind) << ' ' << cell->active_cell_index() << " (centre "
+           << cell->center() << " m, shape quality "
+           << shape_quality(cell_points<dim>(cell), kind) << " of 1)";
+      return text.str();
+    }
+
+  } // namespace
+
+  template <int dim>
+  std::vector<CellIterator<dim>>
+  cells_by_index(const Mesh<dim> &mesh)
+  {
+    std::vector<CellIterator<dim>> cells;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      cells.push_back(cell);
+    return cells;
+  }
+
+
+  template <int dim>
+  IsotropicMaterial
+  material_of(const CellMaterial &material)
+  {
+    return isotropic_material(dim,
+                              material.lame.lambda,
+                              material.lame.mu,
+                              material.thickness);
+  }
+
+
+  template <int dim>
+  FitProblem
+  cell_problem(
+    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    const CellKind kind,
+    CellMatrices<dim> &cell_matrices,
+    const CellMaterial &material)
+  {
+    return make_fit_problem(cell_points<dim>(cell),
+                            kind,
+                            cell_matrices.stiffness(cell, material),
+                            material_of<dim>(material));
+  }
+
+  template <int dim>
+  std::vector<TimedFit>
+  fit_distinct_cells(const DistinctCells &cells,
+                     const Mesh<dim> &mesh,
+                     const Element<dim> &element,
+                     const MaterialTable &materials,
+                     const Method method,
+                     const FitOptions &options,
+                     const std::string &name,
+                     Session &session)
+  {
+    const auto iterators    = cells_by_index(mesh);
+    const CellKind kind     = mesh.cell_kind;
+    const auto communicator = session.communicator();
+    const unsigned int rank =
+      dealii::Utilities::MPI::this_mpi_process(communicator);
+    const unsigned int n_ranks =
+      dealii::Utilities::MPI::n_mpi_processes(communicator);
+
+    std::map<unsigned int, std::vector<double>> mine;
+    run_collectively(communicator, [&]() {
+      CellMatrices<dim> cell_matrices(element);
+      Progress progress("Fits (" + name + ") of distinct cells",
+                        (cells.distinct.size() + n_ranks - 1) / n_ranks,
+                        rank == 0);
+      for (unsigned int c = rank; c < cells.distinct.size(); c += n_ranks)
+        {
+          const auto &distinct = cells.distinct[c];
+          const auto &cell     = iterators[distinct.representative];
+          const auto &material = materials.at(distinct.material);
+          const auto start     = std::chrono::steady_clock::now();
+          const auto problem =
+            cell_problem<dim>(cell, kind, cell_matrices, material);
+          FitResult result;
+          try
+            {
+              result = fit(problem, method, options);
+              check_certificate(result, options);
+            }
+          catch (const RunError &error)
+            {
+              throw RunError("The fit '" + name + "' of " +
+                               description<dim>(cell, kind) + " failed.",
+                             error.what());
+            }
+          const std::chrono::duration<double> seconds =
+            std::chrono::steady_clock::now() - start;
+          mine[c] = pack(result);
+          mine[c].push_back(seconds.count());
+          progress.step();
+        }
+    });
+
+    std::vector<TimedFit> fits(cells.distinct.size());
+    for (const auto &of_rank :
+         dealii::Utilities::MPI::all_gather(communicator, mine))
+      for (const auto &[c, numbers] : of_rank)
+        fits[c] = {unpack(numbers), numbers.back()};
+    return fits;
+  }
+
+  template FitProblem
+  cell_problem<2>(const dealii::Triangulation<2>::active_cell_iterator &,
+                  CellKind,
+                  CellMatrices<2> &,
+                  const CellMaterial &);
+  template FitProblem
+  cell_problem<3>(const dealii::Triangulation<3>::active_cell_iterator &,
+                  CellKind,
+                  CellMatrices<3> &,
+                  const CellMaterial &);
+  template IsotropicMaterial
+  material_of<2>(const CellMaterial &);
+  template IsotropicMaterial
+  material_of<3>(const CellMaterial &);
+  template std::vector<CellIterator<2>>
+  cells_by_index<2>(const Mesh<2> &);
+  template std::vector<CellIterator<3>>
+  cells_by_index<3>(const Mesh<3> &);
+  template std::vector<TimedFit>
+  fit_distinct_cells<2>(const DistinctCells &,
+                        const Mesh<2> &,
+                        const Element<2> &,
+                        const MaterialTable &,
+                        Method,
+                        const FitOptions &,
+                        const std::string &,
+                        Session &);
+  template std::vector<TimedFit>
+  fit_distinct_cells<3>(const DistinctCells &,
+                        const Mesh<3> &,
+                        const Element<3> &,
+                        const MaterialTable &,
+                        Method,
+                        const FitOptions &,
+                        const std::string &,
+                        Session &);
+} // namespace springfit

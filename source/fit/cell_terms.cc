@@ -1,0 +1,80 @@
+#include <springfit/core/error.h>
+#include <springfit/fit/cell_terms.h>
+#include <springfit/springs/gradients.h>
+#include <springfit/springs/volume.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace springfit
+{
+  namespace
+  {
+    Eigen::MatrixXd
+    gradients_of(const FitProblem &problem, const Enrichment enrichment)
+    {
+      switch (enrichment)
+        {
+          case Enrichment::none:
+            return Eigen::MatrixXd(problem.gradients.rows(), 0);
+          case Enrichment::volume:
+            return volume_gradient(problem.points, problem.kind);
+          case Enrichment::angles:
+            return angle_gradients(problem.points, cell_angles(problem.kind));
+          case Enrichment::coupling:
+            break;
+        }
+      throw std::logic_error("an enrichment has no terms of rank one");
+    }
+
+    void
+    check_volume(const FitProblem &problem)
+    {
+      const double size =
+        (problem.points.colwise() - problem.points.rowwise().mean())
+          .colwise()
+          .norm()
+          .maxCoeff();
+      const double V = volume(problem.points, problem.kind);
+      if (!(std::abs(V) > 1e-12 * std::pow(size, problem.points.rows())))
+        throw RunError("its volume is zero, and so has no gradient.",
+                       "Improve the mesh there.");
+    }
+  } // namespace
+
+  CellTerms
+  make_cell_terms(const FitProblem &problem, const Enrichment enrichment)
+  {
+    if (enrichment == Enrichment::volume)
+      check_volume(problem);
+
+    const Eigen::MatrixXd &springs = problem.gradients;
+    const Eigen::MatrixXd others   = gradients_of(problem, enrichment);
+
+    CellTerms terms;
+    terms.enrichment = enrichment;
+    terms.n_springs  = springs.cols();
+    terms.norms      = Eigen::VectorXd::Ones(springs.cols() + others.cols());
+    terms.norms.tail(others.cols()) = others.colwise().norm();
+    terms.gradients.resize(springs.rows(), terms.norms.size());
+    terms.gradients << springs, others.colwise().normalized();
+    terms.n_one_signed = terms.n_springs;
+    return terms;
+  }
+
+
+  CellModel
+  make_cell_model(const CellTerms &terms, const Eigen::VectorXd &constants)
+  {
+    const Eigen::VectorXd stiffness =
+      constants.cwiseQuotient(terms.norms.cwiseAbs2());
+    CellModel model;
+    model.k = stiffness.head(terms.n_springs);
+    if (terms.enrichment == Enrichment::volume)
+      model.volume_stiffness = stiffness[terms.n_springs];
+    if (terms.enrichment == Enrichment::angles)
+      model.angle_stiffness =
+        stiffness.tail(stiffness.size() - terms.n_springs);
+    return model;
+  }
+} // namespace springfit
