@@ -1,7 +1,7 @@
 #include <springfit/core/error.h>
+#include <springfit/fit/ipopt_application.h>
 #include <springfit/fit/ipopt_engine.h>
 
-#include <IpIpoptApplication.hpp>
 #include <IpJournalist.hpp>
 #include <IpTNLP.hpp>
 
@@ -201,21 +201,6 @@ namespace springfit
     };
 
 
-    Ipopt::SmartPtr<Ipopt::IpoptApplication>
-    make_application()
-    {
-      // No console, and no options file from the working directory.
-      Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
-        new Ipopt::IpoptApplication(false);
-      auto &options = *application->Options();
-      options.SetStringValue("sb", "yes");
-      options.SetStringValue("linear_solver", "mumps");
-      options.SetStringValue("nlp_scaling_method", "none");
-      // The pivots are defined inside the cone only.
-      options.SetNumericValue("bound_relax_factor", 0.);
-      return application;
-    }
-
     void
     set_path(Ipopt::IpoptApplication &application, const double mu)
     {
@@ -232,8 +217,6 @@ namespace springfit
       // No refinement of the steps: a third of the time, and the certificate
       // tells whether they were good enough.
       options.SetStringValue("fast_step_computation", "yes");
-      // No early end at an "acceptable" point.
-      options.SetIntegerValue("acceptable_iter", 0);
       options.SetIntegerValue("max_iter", 200);
     }
   } // namespace
@@ -242,7 +225,7 @@ namespace springfit
   SpectralSolution
   solve_by_ipopt(const SpectralProblem &problem, const double mu)
   {
-    const auto application = make_application();
+    const auto application = make_ipopt_application();
     set_path(*application, mu);
     application->Initialize("");
 
@@ -265,7 +248,7 @@ namespace springfit
   std::string
   derivative_report(const SpectralProblem &problem)
   {
-    const auto application = make_application();
+    const auto application = make_ipopt_application();
     auto &options          = *application->Options();
     options.SetStringValue("derivative_test", "second-order");
     options.SetNumericValue("point_perturbation_radius", 0.);
