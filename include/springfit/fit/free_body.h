@@ -1,0 +1,56 @@
+#ifndef springfit_fit_free_body_h
+#define springfit_fit_free_body_h
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace springfit
+{
+  /**
+   * The stiffness of a body that nothing holds: singular, as rigid motions
+   * cost nothing. It is factorised with as many degrees of freedom fixed as
+   * there are rigid motions, which is statically determinate: the fixings
+   * change neither the signs of its eigenvalues nor, up to a rigid motion, its
+   * response to forces in equilibrium.
+   */
+  class FreeBody
+  {
+  public:
+    /**
+     * @param stiffness n x n, N/m, symmetric, zero on rigid motions
+     * @param nodes dim x n_nodes, m; see rigid_body_modes()
+     *
+     * @throws RunError when a pivot vanishes: the body has a mechanism.
+     */
+    FreeBody(const Eigen::SparseMatrix<double> &stiffness,
+             const Eigen::MatrixXd &nodes);
+
+    /**
+     * The number of independent deformations that release energy, or cost
+     * none, by the signs of L D L^T (Sylvester's law of inertia).
+     */
+    unsigned int
+    n_unstable() const;
+
+    /**
+     * The displacements without rigid motions (m) under the part of
+     * @p forces (n x n_cases, N) that is in equilibrium: the Moore-Penrose
+     * inverse of the stiffness.
+     */
+    Eigen::MatrixXd
+    respond(const Eigen::MatrixXd &forces) const;
+
+  private:
+    /** Without its rigid motions. */
+    Eigen::MatrixXd
+    deformation(const Eigen::MatrixXd &displacements) const;
+
+    Eigen::MatrixXd rigid_;
+    std::vector<Eigen::Index> free_;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+  };
+} // namespace springfit
+
+#endif

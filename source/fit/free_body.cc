@@ -1,0 +1,76 @@
+#include <springfit/core/error.h>
+#include <springfit/fit/free_body.h>
+#include <springfit/springs/rigid_modes.h>
+
+#include <Eigen/QR>
+
+namespace springfit
+{
+  namespace
+  {
+    /**
+     * All degrees of freedom but those whose fixing holds a body best: pivots
+     * of the rigid motions.
+     */
+    std::vector<Eigen::Index>
+    without_fixed(const Eigen::MatrixXd &rigid)
+    {
+      const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rigid.transpose());
+      std::vector<bool> is_fixed(rigid.rows(), false);
+      for (Eigen::Index r = 0; r < rigid.cols(); ++r)
+        is_fixed[qr.colsPermutation().indices()[r]] = true;
+
+      std::vector<Eigen::Index> free;
+      for (std::size_t i = 0; i < is_fixed.size(); ++i)
+        if (!is_fixed[i])
+          free.push_back(i);
+      return free;
+    }
+  } // namespace
+
+  FreeBody::FreeBody(const Eigen::SparseMatrix<double> &stiffness,
+                     const Eigen::MatrixXd &nodes)
+    : rigid_(rigid_body_modes(nodes)), free_(without_fixed(rigid_))
+  {
+    std::vector<Eigen::Index> number(stiffness.rows(), -1);
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      number[free_[i]] = i;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index column = 0; column < stiffness.cols(); ++column)
+      for (Eigen::SparseMatrix<double>::InnerIterator it(stiffness, column); it;
+           ++it)
+        if (number[it.row()] >= 0 && number[it.col()] >= 0)
+          entries.emplace_back(number[it.row()], number[it.col()], it.value());
+    Eigen::SparseMatrix<double> held(free_.size(), free_.size());
+    held.setFromTriplets(entries.begin(), entries.end());
+    factors_.compute(held);
+    if (factors_.info() != Eigen::Success)
+      throw RunError("The stiffness of the object is singular beyond its rigid "
+                     "motions.",
+                     "Its parts must be joined so that none can move freely.");
+  }
+
+  unsigned int
+  FreeBody::n_unstable() const
+  {
+    return (factors_.vectorD().array() <= 0.).count();
+  }
+
+  Eigen::MatrixXd
+  FreeBody::respond(const Eigen::MatrixXd &forces) const
+  {
+    const Eigen::MatrixXd in_equilibrium = deformation(forces);
+    const Eigen::MatrixXd of_free        = in_equilibrium(free_, Eigen::all);
+    Eigen::MatrixXd displacements =
+      Eigen::MatrixXd::Zero(forces.rows(), forces.cols());
+    const Eigen::MatrixXd responses  = factors_.solve(of_free);
+    displacements(free_, Eigen::all) = responses;
+    return deformation(displacements);
+  }
+
+  Eigen::MatrixXd
+  FreeBody::deformation(const Eigen::MatrixXd &displacements) const
+  {
+    return displacements - rigid_ * (rigid_.transpose() * displacements);
+  }
+} // namespace springfit

@@ -1,0 +1,441 @@
+// Fits of all springs of an object at once, against dense linear algebra.
+
+#include <springfit/core/error.h>
+#include <springfit/fit/compliance.h>
+#include <springfit/fit/displacement_fields.h>
+#include <springfit/fit/free_body.h>
+#include <springfit/fit/object_fit.h>
+#include <springfit/response/network_body.h>
+#include <springfit/springs/network.h>
+#include <springfit/springs/rigid_modes.h>
+#include <springfit/springs/volume.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "cells.h"
+
+using namespace springfit;
+using springfit::oracle::all_kinds;
+using springfit::oracle::Random;
+
+namespace
+{
+  /** A box of 2^dim squares or cubes, or of what these are cut into. */
+  struct Grid
+  {
+    Eigen::MatrixXd nodes;
+    std::vector<std::vector<unsigned int>> cells;
+    CellKind kind;
+  };
+
+  Grid
+  make_grid(const CellKind kind, const double jitter, Random &random)
+  {
+    const int dim      = dimension(kind);
+    const int n_points = dim == 2 ? 9 : 27;
+    Grid grid{Eigen::MatrixXd(dim, n_points), {}, kind};
+    for (int p = 0; p < n_points; ++p)
+      for (int d = 0, rest = p; d < dim; ++d, rest /= 3)
+        grid.nodes(d, p) = rest % 3 + jitter * random(-1., 1.);
+
+    // Kuhn's subdivision: a path of edges for each order of the axes.
+    std::vector<std::vector<int>> simplices = {{0, 1, 3}, {0, 3, 2}};
+    if (dim == 3)
+      simplices = {{0, 1, 3, 7},
+                   {0, 3, 2, 7},
+                   {0, 2, 6, 7},
+                   {0, 6, 4, 7},
+                   {0, 4, 5, 7},
+                   {0, 5, 1, 7}};
+    for (int p = 0; p < n_points; ++p)
+      {
+        const int i = p % 3, j = p / 3 % 3, k = p / 9;
+        if (i == 2 || j == 2 || k == 2)
+          continue;
+        const auto vertex = [&](const int v) -> unsigned int {
+          return p + (v & 1) + 3 * (v >> 1 & 1) + 9 * (v >> 2 & 1);
+        };
+        if (is_simplex(kind))
+          for (const auto &simplex : simplices)
+            {
+              grid.cells.emplace_back();
+              for (const int v : simplex)
+                grid.cells.back().push_back(vertex(v));
+            }
+        else
+          {
+            grid.cells.emplace_back();
+            for (int v = 0; v < n_vertices(kind); ++v)
+              grid.cells.back().push_back(vertex(v));
+          }
+      }
+    return grid;
+  }
+
+  Eigen::MatrixXd
+  points_of(const Grid &grid, const std::vector<unsigned int> &cell)
+  {
+    return grid.nodes(Eigen::all, cell);
+  }
+
+  Eigen::SparseMatrix<double>
+  assembled_stiffness(const Grid &grid, const double nu)
+  {
+    const int dim = grid.nodes.rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto &cell : grid.cells)
+      {
+        const Eigen::MatrixXd R =
+          oracle::stiffness(points_of(grid, cell),
+                            grid.kind,
+                            oracle::usual_elasticity(grid.kind, nu));
+        for (int a = 0; a < R.rows(); ++a)
+          for (int b = 0; b < R.cols(); ++b)
+            entries.emplace_back(dim * cell[a / dim] + a % dim,
+                                 dim * cell[b / dim] + b % dim,
+                                 R(a, b));
+      }
+    Eigen::SparseMatrix<double> R(grid.nodes.size(), grid.nodes.size());
+    R.setFromTriplets(entries.begin(), entries.end());
+    return R;
+  }
+
+  enum class Terms
+  {
+    springs,
+    volumes,
+    couplings
+  };
+
+  /** All constants one. */
+  SpringNetwork
+  unit_network(const Grid &grid, const Terms terms)
+  {
+    NetworkBuilder builder(grid.nodes);
+    const auto &pairs = node_pairs(grid.kind);
+    // Builders add what cells share.
+    std::vector<LengthCoupling> couplings;
+    for (unsigned int a = 0; a < pairs.size(); ++a)
+      for (unsigned int b = a + 1; b < pairs.size(); ++b)
+        couplings.push_back({a, b, 1.});
+    for (const auto &cell : grid.cells)
+      {
+        builder.add_springs(cell, pairs, Eigen::VectorXd::Ones(pairs.size()));
+        if (terms == Terms::volumes)
+          builder.add_volume(cell,
+                             1.,
+                             volume(points_of(grid, cell), grid.kind));
+        if (terms == Terms::couplings)
+          builder.add_couplings(cell, pairs, couplings);
+      }
+    SpringNetwork network = builder.build();
+    network.stiffness.assign(network.stiffness.size(), 1.);
+    for (auto &coupling : network.couplings)
+      coupling.stiffness = 1.;
+    return network;
+  }
+
+  template <int dim>
+  std::vector<EnergyTerm>
+  terms_at_rest(const SpringNetwork &network)
+  {
+    const NetworkBody<dim> body(network);
+    std::vector<EnergyTerm> terms;
+    for (unsigned int t = 0; t < body.n_terms(); ++t)
+      terms.push_back(
+        *body.evaluate(t, Eigen::MatrixXd::Zero(dim, network.nodes.cols())));
+    return terms;
+  }
+
+  ObjectProblem
+  make_problem(const Grid &grid,
+               const Terms terms,
+               const double nu,
+               const bool nonnegative = false)
+  {
+    const SpringNetwork network = unit_network(grid, terms);
+    ObjectProblem problem{grid.nodes,
+                          assembled_stiffness(grid, nu),
+                          grid.nodes.rows() == 2 ? terms_at_rest<2>(network)
+                                                 : terms_at_rest<3>(network),
+                          {}};
+    problem.nonnegative.assign(problem.terms.size(), false);
+    if (nonnegative)
+      for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+        problem.nonnegative[s] = true;
+    return problem;
+  }
+
+  /** T_m, n x n, written down anew. */
+  Eigen::MatrixXd
+  tangent(const ObjectProblem &problem, const std::size_t m)
+  {
+    const EnergyTerm &term = problem.terms[m];
+    const Eigen::Index n   = problem.stiffness.rows();
+    const Eigen::Index dim = problem.nodes.rows();
+    Eigen::MatrixXd T      = Eigen::MatrixXd::Zero(n, n);
+    for (std::size_t a = 0; a < term.nodes.size(); ++a)
+      for (std::size_t b = 0; b < term.nodes.size(); ++b)
+        T.block(dim * term.nodes[a], dim * term.nodes[b], dim, dim) +=
+          term.hessian.block(dim * a, dim * b, dim, dim);
+    return T;
+  }
+
+  Eigen::VectorXd
+  flat(const Eigen::MatrixXd &A)
+  {
+    return Eigen::Map<const Eigen::VectorXd>(A.data(), A.size());
+  }
+
+  /** Dense least squares with the columns image(T_m) and the right image(R). */
+  Eigen::VectorXd
+  dense_fit(
+    const ObjectProblem &problem,
+    const std::function<Eigen::VectorXd(const Eigen::MatrixXd &)> &image)
+  {
+    const Eigen::VectorXd d = image(problem.stiffness);
+    Eigen::MatrixXd A(d.size(), problem.terms.size());
+    for (std::size_t m = 0; m < problem.terms.size(); ++m)
+      A.col(m) = image(tangent(problem, m));
+    return A.colPivHouseholderQr().solve(d);
+  }
+
+  void
+  expect_same_stiffness(const ObjectProblem &problem,
+                        const Eigen::VectorXd &c,
+                        const Eigen::VectorXd &expected,
+                        const double tolerance)
+  {
+    EXPECT_LT((fitted_stiffness(problem, c) -
+               fitted_stiffness(problem, expected))
+                .norm(),
+              tolerance * problem.stiffness.norm());
+  }
+
+  using Fit = std::function<Eigen::VectorXd(const ObjectProblem &)>;
+
+  Eigen::VectorXd
+  fit_affine_forces(const ObjectProblem &problem)
+  {
+    return fit_forces(problem, affine_fields(problem.nodes), 0.1);
+  }
+
+  const std::vector<Fit> all_object_fits = {fit_matrix,
+                                            fit_affine_forces,
+                                            fit_compliance};
+
+  TEST(ObjectFit, MatrixIsTheDenseLeastSquares)
+  {
+    Random random(311);
+    for (const CellKind kind : all_kinds)
+      for (const Terms terms : {Terms::springs, Terms::volumes})
+        {
+          const auto problem =
+            make_problem(make_grid(kind, 0.1, random), terms, 0.3);
+          expect_same_stiffness(problem,
+                                fit_matrix(problem),
+                                dense_fit(problem, flat),
+                                1e-8);
+        }
+  }
+
+  TEST(ObjectFit, ForcesAreTheDenseLeastSquares)
+  {
+    Random random(312);
+    for (const CellKind kind : all_kinds)
+      {
+        const auto problem =
+          make_problem(make_grid(kind, 0.1, random), Terms::volumes, 0.3);
+        const Eigen::MatrixXd fields = quadratic_fields(problem.nodes);
+        const Eigen::MatrixXd R      = problem.stiffness;
+        const Eigen::MatrixXd unit =
+          fields * (R * fields).colwise().norm().cwiseInverse().asDiagonal();
+        const double weight = 0.3;
+        const auto expected = dense_fit(problem, [&](const Eigen::MatrixXd &T) {
+          Eigen::VectorXd image(unit.size() + T.size());
+          image << flat(T * unit), weight / R.norm() * flat(T);
+          return image;
+        });
+        expect_same_stiffness(problem,
+                              fit_forces(problem, fields, weight),
+                              expected,
+                              1e-8);
+      }
+  }
+
+  TEST(ObjectFit, ComplianceIsTheDenseLeastSquares)
+  {
+    Random random(313);
+    for (const CellKind kind : all_kinds)
+      for (const Terms terms : {Terms::springs, Terms::volumes})
+        {
+          const auto problem =
+            make_problem(make_grid(kind, 0.1, random), terms, 0.3);
+          const Eigen::MatrixXd R = problem.stiffness;
+          const Eigen::MatrixXd inverse =
+            R.completeOrthogonalDecomposition().pseudoInverse();
+          const auto expected =
+            dense_fit(problem, [&](const Eigen::MatrixXd &T) {
+              Eigen::VectorXd image(2 * T.size());
+              image << flat(inverse * T * inverse) / inverse.norm(),
+                0.03 / R.norm() * flat(T);
+              return image;
+            });
+          expect_same_stiffness(problem,
+                                fit_compliance(problem),
+                                expected,
+                                1e-7);
+        }
+  }
+
+  /** Of couplings on hexahedra many are dependent. */
+  TEST(ObjectFit, RecoversANetwork)
+  {
+    Random random(314);
+    for (const CellKind kind : all_kinds)
+      for (const Terms terms :
+           {Terms::springs, Terms::volumes, Terms::couplings})
+        {
+          if (terms == Terms::couplings && kind == CellKind::hexahedron)
+            continue;
+          auto problem = make_problem(make_grid(kind, 0.1, random), terms, 0.3);
+          Eigen::VectorXd c(problem.terms.size());
+          for (Eigen::Index m = 0; m < c.size(); ++m)
+            c[m] = random(1., 2.);
+          if (terms == Terms::couplings)
+            for (std::size_t m = 0; m < problem.terms.size(); ++m)
+              if (problem.terms[m].nodes.size() == 4)
+                c[m] *= 0.02; // stays positive definite
+          problem.stiffness = fitted_stiffness(problem, c);
+          ASSERT_EQ(FreeBody(problem.stiffness, problem.nodes).n_unstable(),
+                    0u);
+          for (const auto &fit : all_object_fits)
+            expect_same_stiffness(problem, fit(problem), c, 1e-6);
+        }
+  }
+
+  TEST(ObjectFit, NonnegativeIsTheBestOfItsNeighbours)
+  {
+    Random random(315);
+    const CellKind kind = CellKind::tetrahedron;
+    auto problem =
+      make_problem(make_grid(kind, 0.2, random), Terms::volumes, 0.1, true);
+    const auto matrix_error = [&](const Eigen::VectorXd &c) {
+      return (problem.stiffness - fitted_stiffness(problem, c)).squaredNorm();
+    };
+    const Eigen::VectorXd c = fit_matrix(problem);
+    const double best       = matrix_error(c);
+    int n_held              = 0;
+    for (Eigen::Index m = 0; m < c.size(); ++m)
+      {
+        n_held += problem.nonnegative[m] && c[m] == 0.;
+        EXPECT_TRUE(!problem.nonnegative[m] || c[m] >= 0.);
+        const double step =
+          1e-3 * problem.stiffness.norm() / problem.terms[m].hessian.norm();
+        for (const double sign : {-1., 1.})
+          {
+            Eigen::VectorXd other = c;
+            other[m] += sign * step;
+            if (problem.nonnegative[m])
+              other[m] = std::max(other[m], 0.);
+            EXPECT_GE(matrix_error(other), best * (1. - 1e-12));
+          }
+      }
+    EXPECT_GT(n_held, 0);
+  }
+
+  /**
+   * On boxes of regular cells springs and an area or volume spring can bear
+   * every constant strain as the finite elements do.
+   */
+  TEST(ObjectFit, PatchTestOfAffineForces)
+  {
+    Random random(316);
+    for (const CellKind kind : {CellKind::quadrilateral, CellKind::hexahedron})
+      for (const double nu : {0., 0.3, 0.45})
+        {
+          const auto problem =
+            make_problem(make_grid(kind, 0., random), Terms::volumes, nu);
+          const Eigen::MatrixXd fields = affine_fields(problem.nodes);
+          const auto error             = [&](const double weight) {
+            const auto K =
+              fitted_stiffness(problem, fit_forces(problem, fields, weight));
+            return ((problem.stiffness - K) * fields).norm() /
+                   (problem.stiffness * fields).norm();
+          };
+          EXPECT_LT(error(1e-3), 1e-5);
+          // What is left is the weight's doing, with its square.
+          EXPECT_LT(error(1e-3), 0.02 * error(1e-2) + 1e-9);
+        }
+  }
+
+  TEST(ObjectFit, FieldsAreWhatTheySay)
+  {
+    Random random(317);
+    for (const int dim : {2, 3})
+      {
+        const Eigen::MatrixXd x   = random.matrix(dim, 7);
+        const Eigen::MatrixXd one = affine_fields(x), two = quadratic_fields(x);
+        EXPECT_EQ(one.cols(), dim * (dim + 1) / 2);
+        EXPECT_EQ(two.cols(), dim * dim * (dim + 1) / 2);
+        // Together with rigid motions: all affine fields.
+        Eigen::MatrixXd affine(x.size(), one.cols() + dim * (dim + 1) / 2);
+        affine << one, rigid_body_modes(x);
+        EXPECT_EQ(affine.colPivHouseholderQr().rank(), dim * (dim + 1));
+        // A field is quadratic where its third differences vanish.
+        const Eigen::MatrixXd a = random.matrix(dim, 1),
+                              b = random.matrix(dim, 1);
+        Eigen::MatrixXd line(dim, 6);
+        for (int p = 0; p < 6; ++p)
+          line.col(p) = a + p * b;
+        for (const auto &fields : {affine_fields(line), quadratic_fields(line)})
+          for (int p = 0; p < 3; ++p)
+            for (int d = 0; d < dim; ++d)
+              {
+                const auto row = [&](const int q) {
+                  return fields.row(dim * q + d);
+                };
+                EXPECT_LT((row(p + 3) - 3. * row(p + 2) + 3. * row(p + 1) -
+                           row(p))
+                            .norm(),
+                          1e-12);
+              }
+      }
+  }
+
+  TEST(FreeBody, RespondsAsTheMoorePenroseInverse)
+  {
+    Random random(318);
+    for (const CellKind kind : all_kinds)
+      {
+        const Grid grid = make_grid(kind, 0.1, random);
+        const auto R    = assembled_stiffness(grid, 0.3);
+        const Eigen::MatrixXd inverse =
+          Eigen::MatrixXd(R).completeOrthogonalDecomposition().pseudoInverse();
+        const Eigen::MatrixXd f = random.matrix(R.rows(), 3);
+        const Eigen::MatrixXd u = FreeBody(R, grid.nodes).respond(f);
+        EXPECT_LT((u - inverse * f).norm(), 1e-10 * u.norm());
+      }
+  }
+
+  TEST(FreeBody, CountsTheNegativeEigenvalues)
+  {
+    Random random(319);
+    for (const CellKind kind : all_kinds)
+      {
+        const Grid grid    = make_grid(kind, 0.1, random);
+        const auto problem = make_problem(grid, Terms::springs, 0.3);
+        Eigen::VectorXd c(problem.terms.size());
+        for (Eigen::Index m = 0; m < c.size(); ++m)
+          c[m] = random(-0.5, 1.);
+        const Eigen::MatrixXd K = fitted_stiffness(problem, c);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K);
+        const int n_negative = (solver.eigenvalues().array() < -1e-10).count();
+        EXPECT_GT(n_negative, 0);
+        EXPECT_EQ(FreeBody(K.sparseView(), grid.nodes).n_unstable(),
+                  n_negative);
+      }
+  }
+} // namespace
