@@ -1,12 +1,14 @@
 #include <springfit/calibration/calibration.h>
 #include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/distinct_cells.h>
+#include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 
 #include <deal.II/base/timer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <set>
@@ -16,6 +18,39 @@ namespace springfit
 {
   namespace
   {
+    std::string
+    object_words()
+    {
+      std::vector<std::string> words;
+      for (const Method method : object_methods())
+        words.push_back(word_of(method_words(), method));
+      return join(words, " and ");
+    }
+
+    std::string
+    object_enrichment_words()
+    {
+      std::vector<std::string> words;
+      for (const Enrichment enrichment : object_enrichments())
+        words.push_back(word_of(enrichment_words(), enrichment));
+      return join(words);
+    }
+
+    /** @throws EntryError when there is no such fit of the whole object. */
+    void
+    check_object_scope(const Method method)
+    {
+      const auto &known = object_methods();
+      if (std::find(known.begin(), known.end(), method) == known.end())
+        throw EntryError(
+          "Fit/Scope",
+          "the fit '" + word_of(method_words(), method) +
+            "' is one of single cells.",
+          "Set 'Scope = cell', or for the whole object 'Methods' "
+          "to " +
+            object_words() + '.');
+    }
+
     /** How many cells do not meet each assumption of a published method. */
     template <int dim>
     std::map<std::string, unsigned int>
@@ -70,6 +105,15 @@ namespace springfit
                     "biquadratic: k (l^2 - L^2)^2 / (8 L^2); with coupling it "
                     "makes triangles and tetrahedra St. Venant-Kirchhoff's "
                     "material. At rest both are the same.");
+    add_parameter("Scope",
+                  scope_word_,
+                  "What a fit finds at once: the springs of a cell, or all "
+                  "springs of the object (cell or object; no unit). For the "
+                  "object there are " +
+                    object_words() + ", with the enrichments " +
+                    object_enrichment_words() +
+                    "; the time of compliance grows with the third power of "
+                    "the number of springs.");
     add_parameter("Nonnegative",
                   options_.nonnegative,
                   "Whether every spring and angle of a cell must have a "
@@ -93,9 +137,17 @@ namespace springfit
     parse_parameters_call_back.connect([this]() {
       options_.engine = value_of(engine_words(), engine_word_, "Fit/Engine");
       options_.norm   = value_of(norm_words(), norm_word_, "Fit/Norm");
-      law_ = value_of(spring_law_words(), law_word_, "Fit/Spring law");
+      law_   = value_of(spring_law_words(), law_word_, "Fit/Spring law");
+      scope_ = value_of(scope_words(), scope_word_, "Fit/Scope");
       check();
     });
+  }
+
+  template <int dim>
+  Scope
+  Calibration<dim>::scope() const
+  {
+    return scope_;
   }
 
   template <int dim>
@@ -133,7 +185,10 @@ namespace springfit
     std::vector<Row> rows;
     for (const Method method : methods)
       {
-        const auto &known   = enrichments_of(method);
+        if (scope_ == Scope::object)
+          check_object_scope(method);
+        const auto &known   = scope_ == Scope::object ? object_enrichments()
+                                                      : enrichments_of(method);
         const auto n_rows   = rows.size();
         const auto is_known = [&](const Enrichment enrichment) {
           return std::find(known.begin(), known.end(), enrichment) !=
@@ -196,66 +251,138 @@ namespace springfit
                               const MaterialTable &materials,
                               Session &session) const
   {
-    dealii::Timer search_timer(session.communicator());
-    const auto cells = find_distinct_cells(mesh);
-    search_timer.stop();
-
     check_cells(mesh.cell_kind);
-    std::set<Method> warned;
+    const auto cells =
+      scope_ == Scope::object ? every_cell(mesh) : find_distinct_cells(mesh);
+    warn_of_assumptions(cells, mesh, materials, session);
+
     std::vector<CalibratedNetwork> networks;
-    for (const auto &[method, enrichment] : rows())
+    for (const auto &row : rows())
       {
         CalibratedNetwork network;
-        network.fit        = word_of(method_words(), method);
-        network.enrichment = word_of(enrichment_words(), enrichment);
-        network.name       = enrichment == Enrichment::none
+        network.scope      = scope_;
+        network.fit        = word_of(method_words(), row.method);
+        network.enrichment = word_of(enrichment_words(), row.enrichment);
+        network.name       = row.enrichment == Enrichment::none
                                ? network.fit
                                : network.fit + '_' + network.enrichment;
-
-        if (warned.insert(method).second)
-          for (const auto &[assumption, n_cells] :
-               count_unmet_assumptions<dim>(cells, mesh, materials, method))
-            session.warn("The constants of '" + network.fit +
-                         "' are published for " + assumption + ", which " +
-                         std::to_string(n_cells) + " of " +
-                         std::to_string(cells.copies.size()) +
-                         " cells do not meet. They are used all the same.");
 
         dealii::TimerOutput::Scope scope(session.timer(),
                                          "Calibration, " + network.name);
         dealii::Timer timer(session.communicator());
-        const auto fits = fit_distinct_cells(cells,
-                                             mesh,
-                                             element,
-                                             materials,
-                                             method,
-                                             options({method, enrichment}),
-                                             network.name,
-                                             session);
-        std::vector<CellModel> models;
-        for (unsigned int c = 0; c < fits.size(); ++c)
-          {
-            models.push_back(fits[c].result);
-            network.cells.push_back({cells.distinct[c].representative,
-                                     cells.distinct[c].multiplicity,
-                                     fits[c].result,
-                                     fits[c].seconds});
-          }
-        network.network =
-          assemble_network(mesh, cells, models, element, materials);
+        if (scope_ == Scope::object)
+          calibrate_object(
+            cells, mesh, element, materials, row, network, session);
+        else
+          calibrate_cells(
+            cells, mesh, element, materials, row, network, session);
         network.network.law = law_;
-        timer.stop();
-        network.seconds = search_timer.wall_time() + timer.wall_time();
-
-        const unsigned int n = n_negative(network.network);
-        if (options_.nonnegative && is_published(method) && n > 0)
-          session.warn("Of the springs of '" + network.name + "' " +
-                       std::to_string(n) +
-                       " are negative: 'Nonnegative' does not change the "
-                       "constants of a published fit.");
+        network.seconds     = timer.wall_time();
         networks.push_back(std::move(network));
       }
     return networks;
+  }
+
+  template <int dim>
+  void
+  Calibration<dim>::warn_of_assumptions(const DistinctCells &cells,
+                                        const Mesh<dim> &mesh,
+                                        const MaterialTable &materials,
+                                        Session &session) const
+  {
+    std::set<Method> methods;
+    for (const auto &row : rows())
+      if (methods.insert(row.method).second)
+        for (const auto &[assumption, n_cells] :
+             count_unmet_assumptions<dim>(cells, mesh, materials, row.method))
+          session.warn("The constants of '" +
+                       word_of(method_words(), row.method) +
+                       "' are published for " + assumption + ", which " +
+                       std::to_string(n_cells) + " of " +
+                       std::to_string(cells.copies.size()) +
+                       " cells do not meet. They are used all the same.");
+  }
+
+  template <int dim>
+  void
+  Calibration<dim>::calibrate_cells(const DistinctCells &cells,
+                                    const Mesh<dim> &mesh,
+                                    const Element<dim> &element,
+                                    const MaterialTable &materials,
+                                    const Row &row,
+                                    CalibratedNetwork &network,
+                                    Session &session) const
+  {
+    const auto fits = fit_distinct_cells(cells,
+                                         mesh,
+                                         element,
+                                         materials,
+                                         row.method,
+                                         options(row),
+                                         network.name,
+                                         session);
+    std::vector<CellModel> models;
+    for (unsigned int c = 0; c < fits.size(); ++c)
+      {
+        models.push_back(fits[c].result);
+        network.cells.push_back({cells.distinct[c].representative,
+                                 cells.distinct[c].multiplicity,
+                                 fits[c].result,
+                                 fits[c].seconds});
+      }
+    network.network = assemble_network(mesh, cells, models, element, materials);
+
+    const unsigned int n = n_negative(network.network);
+    if (options_.nonnegative && is_published(row.method) && n > 0)
+      session.warn("Of the springs of '" + network.name + "' " +
+                   std::to_string(n) +
+                   " are negative: 'Nonnegative' does not change the "
+                   "constants of a published fit.");
+  }
+
+  template <int dim>
+  void
+  Calibration<dim>::calibrate_object(const DistinctCells &cells,
+                                     const Mesh<dim> &mesh,
+                                     const Element<dim> &element,
+                                     const MaterialTable &materials,
+                                     const Row &row,
+                                     CalibratedNetwork &network,
+                                     Session &session) const
+  {
+    // What the mesh has, with constants of one.
+    const std::vector<CellModel> units(cells.distinct.size(),
+                                       unit_model(mesh.cell_kind,
+                                                  row.enrichment));
+    const auto unit_network =
+      assemble_network(mesh, cells, units, element, materials);
+
+    // The same on every rank: a factorisation is not worth distributing.
+    const auto start = std::chrono::steady_clock::now();
+    ObjectFit found;
+    run_collectively(session.communicator(), [&]() {
+      found = fit_object(
+        make_object_problem<dim>(unit_network,
+                                 object_stiffness(mesh, element, materials),
+                                 options_.nonnegative),
+        row.method);
+    });
+    const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start;
+    network.network = with_constants(unit_network, found.constants);
+
+    FitResult result{};
+    result.frobenius_residual = found.frobenius_residual;
+    result.spectral_residual  = found.spectral_residual;
+    result.n_negative         = n_negative(network.network);
+    network.cells             = {{0, 1, result, seconds.count()}};
+    if (found.n_unstable > 0)
+      session.warn("The springs of the fit '" + network.name +
+                   "' are unstable where nothing holds them: " +
+                   std::to_string(found.n_unstable) +
+                   " of their deformations release energy. Set 'Nonnegative = "
+                   "true' in section Fit, or take 'compliance', which is less "
+                   "prone to it.");
   }
 
   template class Calibration<2>;

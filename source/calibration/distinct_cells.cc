@@ -45,6 +45,26 @@ namespace springfit
     return cells;
   }
 
+  template <int dim>
+  DistinctCells
+  every_cell(const Mesh<dim> &mesh)
+  {
+    DistinctCells cells;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        const unsigned int index = cell->active_cell_index();
+        cells.distinct.push_back({index, cell->material_id(), 1});
+        cells.copies.push_back({index, {}, 1.});
+        for (const unsigned int v : cell->vertex_indices())
+          cells.copies.back().nodes.push_back(cell->vertex_index(v));
+      }
+    return cells;
+  }
+
+  template DistinctCells
+  every_cell<2>(const Mesh<2> &);
+  template DistinctCells
+  every_cell<3>(const Mesh<3> &);
   template DistinctCells
   find_distinct_cells<2>(const Mesh<2> &);
   template DistinctCells

@@ -103,7 +103,7 @@ namespace springfit
     result.frobenius_residual  = reader.number();
     result.spectral_residual   = reader.number();
     result.duality_gap         = reader.optional();
-    result.smallest_eigenvalue = reader.number();
+    result.smallest_eigenvalue = reader.optional();
     result.n_negative          = static_cast<unsigned int>(reader.number());
     result.k                   = reader.vector();
     result.angle_stiffness     = reader.vector();

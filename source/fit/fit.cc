@@ -4,6 +4,7 @@
 #include <springfit/fit/block.h>
 #include <springfit/fit/cell_terms.h>
 #include <springfit/fit/certificate.h>
+#include <springfit/fit/compliance.h>
 #include <springfit/fit/consistent.h>
 #include <springfit/fit/coupled_cell.h>
 #include <springfit/fit/delingette.h>
@@ -20,6 +21,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -116,6 +118,29 @@ namespace springfit
                                              terms.gradients,
                                              problem.stiffness,
                                              n_nonnegative))};
+    }
+
+    /** The cell as an object of its own. */
+    Constants
+    compliance(const FitProblem &problem,
+               const CellTerms &terms,
+               const Eigen::Index n_nonnegative,
+               const FitOptions &)
+    {
+      std::vector<unsigned int> nodes(problem.points.cols());
+      std::iota(nodes.begin(), nodes.end(), 0);
+      ObjectProblem object{problem.points,
+                           problem.stiffness.sparseView(),
+                           {},
+                           std::vector<bool>(terms.norms.size(), false)};
+      std::fill_n(object.nonnegative.begin(), n_nonnegative, true);
+      for (Eigen::Index t = 0; t < terms.norms.size(); ++t)
+        object.terms.push_back(
+          {nodes,
+           0.,
+           {},
+           terms.gradients.col(t) * terms.gradients.col(t).transpose()});
+      return {make_cell_model(terms, fit_compliance(object))};
     }
 
     // The published ones, from the shape and the material.
@@ -240,6 +265,13 @@ namespace springfit
          all,
          every,
          &consistent,
+         nullptr,
+         &none_unmet},
+        {Method::compliance,
+         "compliance",
+         all,
+         every,
+         &compliance,
          nullptr,
          &none_unmet},
         {Method::gelder,
@@ -484,8 +516,8 @@ namespace springfit
     // Springs alone, free, may release energy, and so may published formulas:
     // they are what they are.
     if (!is_published(method) && options.enrichment != Enrichment::none &&
-        result.smallest_eigenvalue < zero_eigenvalue)
-      throw RunError(not_definite(result.smallest_eigenvalue, options),
+        *result.smallest_eigenvalue < zero_eigenvalue)
+      throw RunError(not_definite(*result.smallest_eigenvalue, options),
                      "Set 'Fit/Nonnegative = true', which keeps it from that, "
                      "or improve the mesh there.");
     return result;

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -49,7 +49,9 @@ namespace springfit
       std::vector<FitRow> rows;
       for (const auto &cell : network.cells)
         rows.push_back({network.name,
-                        singular(kind) + ' ' + std::to_string(cell.cell),
+                        network.scope == Scope::object
+                          ? "object"
+                          : singular(kind) + ' ' + std::to_string(cell.cell),
                         cell.multiplicity,
                         cell.result.frobenius_residual,
                         cell.result.spectral_residual,
@@ -65,27 +67,29 @@ namespace springfit
     fit_summary(const CalibratedNetwork &network)
     {
       double spectral = 0., frobenius = 0., gap = 0.;
-      double smallest = std::numeric_limits<double>::max();
-      bool certified  = false;
+      std::optional<double> smallest;
+      bool certified = false;
       for (const auto &cell : network.cells)
         {
           frobenius = std::max(frobenius, cell.result.frobenius_residual);
           spectral  = std::max(spectral, cell.result.spectral_residual);
-          smallest  = std::min(smallest, cell.result.smallest_eigenvalue);
+          if (const auto &eigenvalue = cell.result.smallest_eigenvalue)
+            smallest = std::min(smallest.value_or(*eigenvalue), *eigenvalue);
           if (cell.result.duality_gap)
             {
               certified = true;
               gap       = std::max(gap, *cell.result.duality_gap);
             }
         }
-      return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %10.2f %12s %9.3f",
+      return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %10s %12s %9.3f",
                        network.name.c_str(),
                        network.cells.size(),
                        network.network.stiffness.size(),
                        n_negative(network.network),
                        100. * frobenius,
                        100. * spectral,
-                       100. * smallest,
+                       smallest ? formatted("%.2f", 100. * *smallest).c_str()
+                                : "-",
                        certified ? formatted("%.1e", gap).c_str() : "-",
                        network.seconds);
     }

@@ -1,3 +1,4 @@
+#include <springfit/core/error.h>
 #include <springfit/studies/study.h>
 
 namespace springfit
@@ -25,6 +26,11 @@ namespace springfit
           scene.statics.check();
           break;
         case StudyKind::sweep:
+          if (scene.calibration.scope() == Scope::object)
+            throw EntryError("Fit/Scope",
+                             "a sweep fits a single cell.",
+                             "Set it to cell, or 'Study' to calibrate or "
+                             "compare.");
           scene.sweep_range.check(scene.material);
           break;
       }

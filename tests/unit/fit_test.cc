@@ -194,6 +194,7 @@ namespace
                                         "frobenius",
                                         "spectral",
                                         "consistent",
+                                        "compliance",
                                         "gelder",
                                         "lloyd",
                                         "baudet",

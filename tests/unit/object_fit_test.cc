@@ -5,8 +5,8 @@
 #include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/free_body.h>
 #include <springfit/fit/object_fit.h>
-#include <springfit/response/network_body.h>
 #include <springfit/springs/network.h>
+#include <springfit/springs/network_terms.h>
 #include <springfit/springs/rigid_modes.h>
 #include <springfit/springs/volume.h>
 
@@ -141,11 +141,10 @@ namespace
   std::vector<EnergyTerm>
   terms_at_rest(const SpringNetwork &network)
   {
-    const NetworkBody<dim> body(network);
     std::vector<EnergyTerm> terms;
-    for (unsigned int t = 0; t < body.n_terms(); ++t)
-      terms.push_back(
-        *body.evaluate(t, Eigen::MatrixXd::Zero(dim, network.nodes.cols())));
+    for (unsigned int t = 0; t < n_terms(network); ++t)
+      terms.push_back(*evaluate_term<dim>(
+        network, t, Eigen::MatrixXd::Zero(dim, network.nodes.cols())));
     return terms;
   }
 

@@ -1,6 +1,8 @@
 #ifndef springfit_calibration_calibration_h
 #define springfit_calibration_calibration_h
 
+#include <springfit/calibration/distinct_cells.h>
+#include <springfit/calibration/object_scope.h>
 #include <springfit/core/session.h>
 #include <springfit/fit/fit.h>
 #include <springfit/mesh/mesh.h>
@@ -36,6 +38,11 @@ namespace springfit
     std::string fit;
     std::string enrichment;
     SpringNetwork network;
+
+    /** What the unknowns of the fit were. */
+    Scope scope;
+
+    /** Of scope object a single one, which stands for the object. */
     std::vector<CellFit> cells;
     double seconds; // wall time of the calibration
   };
@@ -88,15 +95,46 @@ namespace springfit
     FitOptions
     options(const Row &row) const;
 
+    Scope
+    scope() const;
+
   private:
     void
     check() const;
+
+    void
+    warn_of_assumptions(const DistinctCells &cells,
+                        const Mesh<dim> &mesh,
+                        const MaterialTable &materials,
+                        Session &session) const;
+
+    // The network of one row and what the fit reached.
+
+    void
+    calibrate_cells(const DistinctCells &cells,
+                    const Mesh<dim> &mesh,
+                    const Element<dim> &element,
+                    const MaterialTable &materials,
+                    const Row &row,
+                    CalibratedNetwork &network,
+                    Session &session) const;
+
+    void
+    calibrate_object(const DistinctCells &cells,
+                     const Mesh<dim> &mesh,
+                     const Element<dim> &element,
+                     const MaterialTable &materials,
+                     const Row &row,
+                     CalibratedNetwork &network,
+                     Session &session) const;
 
     std::string methods_word_     = "frobenius, spectral";
     std::string enrichments_word_ = "none";
     std::string norm_word_        = "frobenius";
     std::string engine_word_      = "ipopt";
     std::string law_word_         = "quadratic";
+    std::string scope_word_       = "cell";
+    Scope scope_                  = Scope::cell;
     FitOptions options_;
     SpringLaw law_ = SpringLaw::quadratic;
   };

@@ -44,6 +44,11 @@ namespace springfit
   template <int dim>
   DistinctCells
   find_distinct_cells(const Mesh<dim> &mesh);
+
+  /** Each cell as a distinct one, for what does not depend on it alone. */
+  template <int dim>
+  DistinctCells
+  every_cell(const Mesh<dim> &mesh);
 } // namespace springfit
 
 #endif

@@ -22,6 +22,7 @@ namespace springfit
     frobenius,
     spectral,
     consistent,
+    compliance,
     gelder,
     lloyd,
     baudet,
@@ -121,9 +122,9 @@ namespace springfit
     /**
      * The smallest eigenvalue of the cell's stiffness at rest on its
      * deformations, relative to ||R||_2: below zero it releases energy in
-     * some deformation, at zero it is a mechanism.
+     * some deformation, at zero it is a mechanism. Not of a whole object.
      */
-    double smallest_eigenvalue;
+    std::optional<double> smallest_eigenvalue;
 
     /** Springs; couplings, angles and volume springs do not count. */
     unsigned int n_negative;

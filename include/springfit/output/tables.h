@@ -43,7 +43,7 @@ namespace springfit
     double seconds;
 
     /** Of the cell's forces at rest on its deformations, relative to R's. */
-    double smallest_eigenvalue;
+    std::optional<double> smallest_eigenvalue;
   };
 
   /** comparison.csv */

@@ -1,0 +1,98 @@
+#ifndef springfit_calibration_object_scope_h
+#define springfit_calibration_object_scope_h
+
+#include <springfit/core/words.h>
+#include <springfit/fit/cell_model.h>
+#include <springfit/fit/fit.h>
+#include <springfit/fit/object_problem.h>
+#include <springfit/mesh/mesh.h>
+#include <springfit/reference/element.h>
+#include <springfit/reference/material.h>
+#include <springfit/springs/network.h>
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace springfit
+{
+  /** What the unknowns of one fit are. */
+  enum class Scope
+  {
+    cell,  // the springs of a cell; cells add up
+    object // all springs of the mesh
+  };
+
+  const WordTable<Scope> &
+  scope_words();
+
+  /** The fits that there are of a whole object. */
+  const std::vector<Method> &
+  object_methods();
+
+  /** What all cells can have in a fit of a whole object. */
+  const std::vector<Enrichment> &
+  object_enrichments();
+
+  /** The springs and enrichments of a cell, with constants of one. */
+  CellModel
+  unit_model(CellKind kind, Enrichment enrichment);
+
+  /**
+   * The stiffness of the finite elements of a mesh in N/m, n x n, without
+   * supports. Degree of freedom dim * v + d is component d of vertex v.
+   */
+  template <int dim>
+  Eigen::SparseMatrix<double>
+  object_stiffness(const Mesh<dim> &mesh,
+                   const Element<dim> &element,
+                   const MaterialTable &materials);
+
+  /**
+   * The fit of all constants of a network to @p stiffness.
+   *
+   * @param network its terms and their places; its constants are not used
+   * @param nonnegative whether springs must be >= 0; all else is free
+   *
+   * @throws RunError when a term has no tangent at rest.
+   */
+  template <int dim>
+  ObjectProblem
+  make_object_problem(const SpringNetwork &network,
+                      const Eigen::SparseMatrix<double> &stiffness,
+                      bool nonnegative);
+
+  /**
+   * The network with other constants, in the order of its terms: springs,
+   * couplings, angles, volumes; see network_terms.h.
+   */
+  SpringNetwork
+  with_constants(SpringNetwork network, const Eigen::VectorXd &constants);
+
+  /** A whole object fitted, and how near its stiffness K is to R. */
+  struct ObjectFit
+  {
+    Eigen::VectorXd constants;
+
+    /** ||R - K||_F / ||R||_F and ||R - K||_2 / ||R||_2 */
+    double frobenius_residual;
+    double spectral_residual;
+
+    /**
+     * The deformations that release energy, or cost none: 0 in a stable
+     * object that nothing holds.
+     */
+    unsigned int n_unstable;
+  };
+
+  /**
+   * @param method one of object_methods()
+   *
+   * @throws RunError as the fit does, when the constants are not finite, or
+   * when a part of the fitted object is held by nothing.
+   */
+  ObjectFit
+  fit_object(const ObjectProblem &problem, Method method);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,197 @@
+#include <springfit/calibration/object_scope.h>
+#include <springfit/core/error.h>
+#include <springfit/fit/compliance.h>
+#include <springfit/fit/free_body.h>
+#include <springfit/fit/object_fit.h>
+#include <springfit/reference/cell_matrices.h>
+#include <springfit/springs/cell_topology.h>
+#include <springfit/springs/network_terms.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace springfit
+{
+  namespace
+  {
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+
+    /**
+     * The largest |eigenvalue| of a symmetric matrix by the power method, from
+     * below: to some digits, which is enough to judge a fit by.
+     */
+    double
+    spectral_norm(const SparseMatrix &A)
+    {
+      // Of no symmetry that the matrix may have.
+      Eigen::VectorXd x(A.cols());
+      for (Eigen::Index i = 0; i < x.size(); ++i)
+        x[i] = std::sin(1. + i * std::sqrt(2.));
+      x.normalize();
+      double norm = 0.;
+      for (int step = 0; step < 1000; ++step)
+        {
+          const Eigen::VectorXd y = A * (A * x);
+          const double size       = y.norm();
+          const double previous   = norm;
+          norm                    = std::sqrt(size);
+          if (!(size > 0.) || norm - previous < 1e-7 * norm)
+            break;
+          x = y / size;
+        }
+      return norm;
+    }
+  } // namespace
+
+  const WordTable<Scope> &
+  scope_words()
+  {
+    static const WordTable<Scope> table = {{Scope::cell, "cell"},
+                                           {Scope::object, "object"}};
+    return table;
+  }
+
+  const std::vector<Method> &
+  object_methods()
+  {
+    static const std::vector<Method> methods = {Method::frobenius,
+                                                Method::compliance};
+    return methods;
+  }
+
+  const std::vector<Enrichment> &
+  object_enrichments()
+  {
+    static const std::vector<Enrichment> enrichments = {Enrichment::none,
+                                                        Enrichment::volume,
+                                                        Enrichment::angles,
+                                                        Enrichment::coupling};
+    return enrichments;
+  }
+
+  CellModel
+  unit_model(const CellKind kind, const Enrichment enrichment)
+  {
+    const unsigned int n_springs = node_pairs(kind).size();
+    CellModel model{Eigen::VectorXd::Ones(n_springs)};
+    if (enrichment == Enrichment::volume)
+      model.volume_stiffness = 1.;
+    if (enrichment == Enrichment::angles)
+      model.angle_stiffness = Eigen::VectorXd::Ones(cell_angles(kind).size());
+    if (enrichment == Enrichment::coupling)
+      for (unsigned int a = 0; a < n_springs; ++a)
+        for (unsigned int b = a + 1; b < n_springs; ++b)
+          model.couplings.push_back({a, b, 1.});
+    return model;
+  }
+
+  template <int dim>
+  Eigen::SparseMatrix<double>
+  object_stiffness(const Mesh<dim> &mesh,
+                   const Element<dim> &element,
+                   const MaterialTable &materials)
+  {
+    CellMatrices<dim> cell_matrices(element);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        const Eigen::MatrixXd R =
+          cell_matrices.stiffness(cell, materials.at(cell->material_id()));
+        const auto dof = [&cell](const Eigen::Index local) {
+          return dim * cell->vertex_index(local / dim) + local % dim;
+        };
+        for (Eigen::Index b = 0; b < R.cols(); ++b)
+          for (Eigen::Index a = 0; a < R.rows(); ++a)
+            entries.emplace_back(dof(a), dof(b), R(a, b));
+      }
+    const Eigen::Index n = dim * mesh.triangulation.n_vertices();
+    Eigen::SparseMatrix<double> stiffness(n, n);
+    stiffness.setFromTriplets(entries.begin(), entries.end());
+    return stiffness;
+  }
+
+  template <int dim>
+  ObjectProblem
+  make_object_problem(const SpringNetwork &network,
+                      const Eigen::SparseMatrix<double> &stiffness,
+                      const bool nonnegative)
+  {
+    const unsigned int n = n_terms(network);
+    const SpringNetwork unit =
+      with_constants(network, Eigen::VectorXd::Ones(n));
+    const Eigen::MatrixXd rest =
+      Eigen::MatrixXd::Zero(dim, network.nodes.cols());
+
+    ObjectProblem problem{network.nodes, stiffness, {}, {}};
+    for (unsigned int t = 0; t < n; ++t)
+      {
+        const auto term = evaluate_term<dim>(unit, t, rest);
+        if (!term)
+          throw RunError("A term of the springs has no tangent at rest.",
+                         "Improve the mesh: a cell may be flat.");
+        problem.terms.push_back(*term);
+        problem.nonnegative.push_back(nonnegative &&
+                                      t < network.stiffness.size());
+      }
+    return problem;
+  }
+
+  SpringNetwork
+  with_constants(SpringNetwork network, const Eigen::VectorXd &constants)
+  {
+    if (constants.size() != n_terms(network))
+      throw std::logic_error("a network has other terms than constants");
+    const double *c = constants.data();
+    for (double &stiffness : network.stiffness)
+      stiffness = *c++;
+    for (auto &coupling : network.couplings)
+      coupling.stiffness = *c++;
+    for (auto &spring : network.angles)
+      spring.stiffness = *c++;
+    for (auto &spring : network.volumes)
+      spring.stiffness = *c++;
+    return network;
+  }
+
+  ObjectFit
+  fit_object(const ObjectProblem &problem, const Method method)
+  {
+    ObjectFit fit;
+    if (method == Method::frobenius)
+      fit.constants = fit_matrix(problem);
+    else if (method == Method::compliance)
+      fit.constants = fit_compliance(problem);
+    else
+      throw std::logic_error("a fit is not one of whole objects");
+    if (!fit.constants.allFinite())
+      throw RunError("The fit of the whole object gave constants that are not "
+                     "finite.",
+                     "Improve the mesh.");
+
+    const auto &R          = problem.stiffness;
+    const auto K           = fitted_stiffness(problem, fit.constants);
+    const SparseMatrix E   = R - K;
+    fit.frobenius_residual = E.norm() / R.norm();
+    fit.spectral_residual  = spectral_norm(E) / spectral_norm(R);
+    fit.n_unstable         = FreeBody(K, problem.nodes).n_unstable();
+    return fit;
+  }
+
+  template Eigen::SparseMatrix<double>
+  object_stiffness<2>(const Mesh<2> &,
+                      const Element<2> &,
+                      const MaterialTable &);
+  template Eigen::SparseMatrix<double>
+  object_stiffness<3>(const Mesh<3> &,
+                      const Element<3> &,
+                      const MaterialTable &);
+  template ObjectProblem
+  make_object_problem<2>(const SpringNetwork &,
+                         const Eigen::SparseMatrix<double> &,
+                         bool);
+  template ObjectProblem
+  make_object_problem<3>(const SpringNetwork &,
+                         const Eigen::SparseMatrix<double> &,
+                         bool);
+} // namespace springfit
