@@ -2,6 +2,8 @@
 #include <springfit/fit/nonnegative_least_squares.h>
 #include <springfit/springs/rigid_modes.h>
 
+#include <Eigen/SVD>
+
 #include <cmath>
 
 namespace springfit
@@ -42,6 +44,44 @@ namespace springfit
               }
         }
       return modes * std::sqrt(modes.cols() / modes.squaredNorm());
+    }
+
+    /** The displacements x_a x_b e_c, the coordinates from the centre. */
+    Eigen::MatrixXd
+    quadratic_fields(const Eigen::MatrixXd &points)
+    {
+      const Eigen::Index dim  = points.rows();
+      const Eigen::MatrixXd x = points.colwise() - points.rowwise().mean();
+      Eigen::MatrixXd fields =
+        Eigen::MatrixXd::Zero(points.size(), dim * dim * (dim + 1) / 2);
+      Eigen::Index column = 0;
+      for (Eigen::Index a = 0; a < dim; ++a)
+        for (Eigen::Index b = a; b < dim; ++b)
+          for (Eigen::Index c = 0; c < dim; ++c, ++column)
+            for (Eigen::Index v = 0; v < points.cols(); ++v)
+              fields(dim * v + c, column) =
+                (a == b ? 1. : std::sqrt(2.)) * x(a, v) * x(b, v);
+      return fields;
+    }
+
+    /**
+     * The hourglass modes as quadratic fields reach them: of length one where
+     * these have a part in them, and shorter where the part is below 0.05 of
+     * the largest one. Quadratic fields cannot tell the corners of a regular
+     * hexahedron by the sign of x y z; those of a distorted one they can.
+     */
+    Eigen::MatrixXd
+    reached_modes(const Eigen::MatrixXd &points, const Eigen::MatrixXd &H)
+    {
+      if (H.cols() == 0)
+        return H;
+      const Eigen::JacobiSVD<Eigen::MatrixXd> svd(H.transpose() *
+                                                    quadratic_fields(points),
+                                                  Eigen::ComputeFullU);
+      const Eigen::ArrayXd part =
+        svd.singularValues().array() / svd.singularValues()[0];
+      const Eigen::ArrayXd length = part.square() / (part.square() + 0.0025);
+      return H * svd.matrixU() * length.matrix().asDiagonal();
     }
 
     /** The normal equations of a least squares problem in k. */
@@ -109,7 +149,9 @@ namespace springfit
                       tensor.trace());
 
     equations.add_block(squared(affine_energies), M, M, B, R);
-    equations.add_block(squared(affine_forces) + 2., M, H, B, R);
+    equations.add_block(
+      squared(affine_forces), M, reached_modes(points, H), B, R);
+    equations.add_block(2., M, H, B, R);
     equations.add_block(1., H, H, B, R);
     return nonnegative_least_squares(equations.gram,
                                      equations.products,
