@@ -80,7 +80,8 @@ namespace
         const Eigen::VectorXd expected =
           nonnegative_least_squares(unit.asDiagonal() * program.G *
                                       unit.asDiagonal(),
-                                    unit.cwiseProduct(program.g));
+                                    unit.cwiseProduct(program.g),
+                                    n);
         const Eigen::VectorXd x =
           scaled(program, minimise_quadratic(program.G, program.g, bounded));
         EXPECT_GT((expected.array() == 0.).count(), n / 5);
@@ -147,7 +148,7 @@ namespace
         program.G = (unit.asDiagonal() * program.G * unit.asDiagonal()).eval();
         program.g = program.g.cwiseProduct(unit).normalized();
         const Eigen::VectorXd expected =
-          nonnegative_least_squares(program.G, program.g);
+          nonnegative_least_squares(program.G, program.g, n);
         const Eigen::VectorXd x = minimise_by_ipopt(program.G.sparseView(),
                                                     program.g,
                                                     bounded,

@@ -10,8 +10,7 @@ namespace springfit
   // Minimise x^T G x / 2 - g^T x, with x_s >= 0 where nonnegative[s]: convex
   // quadratic programs with bounds, of any size. G is n x n, symmetric (both
   // triangles are given) and positive semidefinite with a positive diagonal.
-  // nonnegative_least_squares.h is for small ones, all of whose variables are
-  // bounded.
+  // nonnegative_least_squares.h is for those of a cell.
 
   /**
    * The minimiser, by Cholesky factorisations; without bounds one is enough.
