@@ -114,6 +114,14 @@ namespace springfit
                     object_enrichment_words() +
                     "; the time of compliance grows with the third power of "
                     "the number of springs.");
+    add_parameter("Fields",
+                  fields_word_,
+                  "The displacements whose nodal forces the consistent fit of "
+                  "the whole object reproduces: " +
+                    join(words_of(field_words())) +
+                    " (no unit). affine: the constant strains; quadratic: the "
+                    "products of two coordinates; responses: those of the "
+                    "linear finite elements to the loads of the scene.");
     add_parameter("Nonnegative",
                   options_.nonnegative,
                   "Whether every spring and angle of a cell must have a "
@@ -151,6 +159,30 @@ namespace springfit
   }
 
   template <int dim>
+  std::vector<Field>
+  Calibration<dim>::fields() const
+  {
+    return values_of(field_words(), fields_word_, "Fit/Fields");
+  }
+
+  template <int dim>
+  bool
+  Calibration<dim>::needs_responses() const
+  {
+    if (scope_ != Scope::object)
+      return false;
+    const auto all = rows();
+    const bool is_needed =
+      std::any_of(all.begin(), all.end(), [](const Row &row) {
+        return row.method == Method::consistent;
+      });
+    const auto wanted = fields();
+    return is_needed &&
+           std::find(wanted.begin(), wanted.end(), Field::responses) !=
+             wanted.end();
+  }
+
+  template <int dim>
   FitOptions
   Calibration<dim>::options(const Row &row) const
   {
@@ -164,6 +196,7 @@ namespace springfit
   Calibration<dim>::check() const
   {
     rows();
+    fields();
     if (!(options_.tolerance > 0. && std::isfinite(options_.tolerance)))
       {
         std::ostringstream value;
@@ -249,6 +282,7 @@ namespace springfit
   Calibration<dim>::calibrate(const Mesh<dim> &mesh,
                               const Element<dim> &element,
                               const MaterialTable &materials,
+                              const Eigen::MatrixXd &responses,
                               Session &session) const
   {
     check_cells(mesh.cell_kind);
@@ -272,7 +306,7 @@ namespace springfit
         dealii::Timer timer(session.communicator());
         if (scope_ == Scope::object)
           calibrate_object(
-            cells, mesh, element, materials, row, network, session);
+            cells, mesh, element, materials, responses, row, network, session);
         else
           calibrate_cells(
             cells, mesh, element, materials, row, network, session);
@@ -346,6 +380,7 @@ namespace springfit
                                      const Mesh<dim> &mesh,
                                      const Element<dim> &element,
                                      const MaterialTable &materials,
+                                     const Eigen::MatrixXd &responses,
                                      const Row &row,
                                      CalibratedNetwork &network,
                                      Session &session) const
@@ -365,7 +400,8 @@ namespace springfit
         make_object_problem<dim>(unit_network,
                                  object_stiffness(mesh, element, materials),
                                  options_.nonnegative),
-        row.method);
+        row.method,
+        displacement_fields(fields(), unit_network.nodes, responses));
     });
     const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;

@@ -1,6 +1,7 @@
 #include <springfit/calibration/object_scope.h>
 #include <springfit/core/error.h>
 #include <springfit/fit/compliance.h>
+#include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/free_body.h>
 #include <springfit/fit/object_fit.h>
 #include <springfit/reference/cell_matrices.h>
@@ -52,10 +53,46 @@ namespace springfit
     return table;
   }
 
+  const WordTable<Field> &
+  field_words()
+  {
+    static const WordTable<Field> table = {{Field::affine, "affine"},
+                                           {Field::quadratic, "quadratic"},
+                                           {Field::responses, "responses"}};
+    return table;
+  }
+
+  Eigen::MatrixXd
+  displacement_fields(const std::vector<Field> &fields,
+                      const Eigen::MatrixXd &nodes,
+                      const Eigen::MatrixXd &responses)
+  {
+    Eigen::MatrixXd all(nodes.size(), 0);
+    const auto append = [&all](const Eigen::MatrixXd &columns) {
+      all.conservativeResize(Eigen::NoChange, all.cols() + columns.cols());
+      all.rightCols(columns.cols()) = columns;
+    };
+    for (const Field field : fields)
+      switch (field)
+        {
+          case Field::affine:
+            append(affine_fields(nodes));
+            break;
+          case Field::quadratic:
+            append(quadratic_fields(nodes));
+            break;
+          case Field::responses:
+            append(responses);
+            break;
+        }
+    return all;
+  }
+
   const std::vector<Method> &
   object_methods()
   {
     static const std::vector<Method> methods = {Method::frobenius,
+                                                Method::consistent,
                                                 Method::compliance};
     return methods;
   }
@@ -155,11 +192,19 @@ namespace springfit
   }
 
   ObjectFit
-  fit_object(const ObjectProblem &problem, const Method method)
+  fit_object(const ObjectProblem &problem,
+             const Method method,
+             const Eigen::MatrixXd &fields)
   {
+    // Of the whole matrix in a fit of forces: with less, affine fields alone
+    // leave meshes of tetrahedra motions that release energy.
+    constexpr double matrix_weight = 1.;
+
     ObjectFit fit;
     if (method == Method::frobenius)
       fit.constants = fit_matrix(problem);
+    else if (method == Method::consistent)
+      fit.constants = fit_forces(problem, fields, matrix_weight);
     else if (method == Method::compliance)
       fit.constants = fit_compliance(problem);
     else

@@ -10,7 +10,7 @@ namespace springfit
   calibrate(const Scene<dim> &scene, Session &session)
   {
     auto calibrated = make_scene(scene, session);
-    calibrate_scene(scene, calibrated, session);
+    calibrate_scene(scene, calibrated, {}, session);
 
     run_on_root(session.communicator(), [&]() {
       for (const auto &network : calibrated.networks)

@@ -201,6 +201,7 @@ namespace springfit
   void
   calibrate_scene(const Scene<dim> &scene,
                   CalibratedScene<dim> &calibrated,
+                  const Eigen::MatrixXd &responses,
                   Session &session)
   {
     // Not before the mesh and the loads are known to be good.
@@ -209,6 +210,7 @@ namespace springfit
     calibrated.networks = scene.calibration.calibrate(*calibrated.mesh,
                                                       calibrated.element,
                                                       calibrated.materials,
+                                                      responses,
                                                       session);
     session.print(
       "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%    k min%  "
@@ -239,7 +241,13 @@ namespace springfit
   template CalibratedScene<3>
   make_scene<3>(const Scene<3> &, Session &);
   template void
-  calibrate_scene<2>(const Scene<2> &, CalibratedScene<2> &, Session &);
+  calibrate_scene<2>(const Scene<2> &,
+                     CalibratedScene<2> &,
+                     const Eigen::MatrixXd &,
+                     Session &);
   template void
-  calibrate_scene<3>(const Scene<3> &, CalibratedScene<3> &, Session &);
+  calibrate_scene<3>(const Scene<3> &,
+                     CalibratedScene<3> &,
+                     const Eigen::MatrixXd &,
+                     Session &);
 } // namespace springfit

@@ -252,6 +252,17 @@ namespace springfit
                          result.reference.displacement);
     }
 
+    /** One column per load case, m. */
+    Eigen::MatrixXd
+    linear_displacements(const std::vector<CaseResult> &results)
+    {
+      Eigen::MatrixXd fields(results.front().linear_displacement.size(),
+                             results.size());
+      for (std::size_t c = 0; c < results.size(); ++c)
+        fields.col(c) = results[c].linear_displacement.reshaped();
+      return fields;
+    }
+
     /** @throws RunError when a model did not reach the whole load. */
     void
     check_completeness(const std::vector<CaseResult> &results,
@@ -291,9 +302,9 @@ namespace springfit
       scene.loads.resolve(*calibrated.mesh,
                           calibrated.element,
                           calibrated.materials.begin()->second.thickness);
-    calibrate_scene(scene, calibrated, session);
-
-    const auto results = find_responses(scene, calibrated, loading, session);
+    auto results = find_references(scene, calibrated, loading, session);
+    calibrate_scene(scene, calibrated, linear_displacements(results), session);
+    find_responses(scene, calibrated, loading, results, session);
     check_stability(calibrated, loading, session);
     const auto rows = make_rows(scene, calibrated, loading, results);
 

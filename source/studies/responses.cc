@@ -28,7 +28,7 @@ namespace springfit
       std::vector<CaseResult> results;
       for (const auto &unit : loading.cases)
         {
-          CaseResult result{unit, model->respond(unit.forces), {}};
+          CaseResult result{unit, {}, model->respond(unit.forces), {}};
           const double largest =
             largest_displacement(result.reference.displacement);
           if (!(largest > 0.))
@@ -39,6 +39,7 @@ namespace springfit
           const double scale = loading.deformation * loading.extent / largest;
           result.load_case.forces *= scale;
           result.reference.displacement *= scale;
+          result.linear_displacement = result.reference.displacement;
           results.push_back(result);
         }
       return results;
@@ -162,10 +163,10 @@ namespace springfit
 
   template <int dim>
   std::vector<CaseResult>
-  find_responses(const Scene<dim> &scene,
-                 const CalibratedScene<dim> &calibrated,
-                 const Loading &loading,
-                 Session &session)
+  find_references(const Scene<dim> &scene,
+                  const CalibratedScene<dim> &calibrated,
+                  const Loading &loading,
+                  Session &session)
   {
     const Discretization<dim> discretization(*calibrated.mesh,
                                              loading.fixed,
@@ -175,25 +176,47 @@ namespace springfit
                    std::to_string(std::lround(100. * loading.deformation)) +
                    " % of its extent: 'Deformation' in section Loads is a "
                    "fraction, 0.1 means 10 %.");
-    std::vector<CaseResult> results;
-    {
-      dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
-      results = scale_cases(scene, discretization, calibrated, loading);
-      if (scene.statics.material_law() != MaterialLaw::linear)
-        solve_reference(scene, discretization, calibrated, session, results);
-    }
-    solve_networks(scene, discretization, calibrated, session, results);
+    dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
+    auto results = scale_cases(scene, discretization, calibrated, loading);
+    if (scene.statics.material_law() != MaterialLaw::linear)
+      solve_reference(scene, discretization, calibrated, session, results);
     return results;
   }
 
+  template <int dim>
+  void
+  find_responses(const Scene<dim> &scene,
+                 const CalibratedScene<dim> &calibrated,
+                 const Loading &loading,
+                 std::vector<CaseResult> &results,
+                 Session &session)
+  {
+    const Discretization<dim> discretization(*calibrated.mesh,
+                                             loading.fixed,
+                                             session.communicator());
+    solve_networks(scene, discretization, calibrated, session, results);
+  }
+
   template std::vector<CaseResult>
+  find_references<2>(const Scene<2> &,
+                     const CalibratedScene<2> &,
+                     const Loading &,
+                     Session &);
+  template std::vector<CaseResult>
+  find_references<3>(const Scene<3> &,
+                     const CalibratedScene<3> &,
+                     const Loading &,
+                     Session &);
+  template void
   find_responses<2>(const Scene<2> &,
                     const CalibratedScene<2> &,
                     const Loading &,
+                    std::vector<CaseResult> &,
                     Session &);
-  template std::vector<CaseResult>
+  template void
   find_responses<3>(const Scene<3> &,
                     const CalibratedScene<3> &,
                     const Loading &,
+                    std::vector<CaseResult> &,
                     Session &);
 } // namespace springfit

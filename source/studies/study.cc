@@ -20,6 +20,11 @@ namespace springfit
     switch (study)
       {
         case StudyKind::calibrate:
+          if (scene.calibration.needs_responses())
+            throw EntryError("Fit/Fields",
+                             "'responses' are those to the scene's loads, but "
+                             "this study loads nothing.",
+                             "Set 'Study = compare', or leave them out.");
           break;
         case StudyKind::compare:
           scene.loads.check();

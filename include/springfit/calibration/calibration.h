@@ -74,6 +74,7 @@ namespace springfit
     calibrate(const Mesh<dim> &mesh,
               const Element<dim> &element,
               const MaterialTable &materials,
+              const Eigen::MatrixXd &responses,
               Session &session) const;
 
     /** A row of the tables. */
@@ -98,9 +99,16 @@ namespace springfit
     Scope
     scope() const;
 
+    /** Whether fits need the scene's responses to its loads. */
+    bool
+    needs_responses() const;
+
   private:
     void
     check() const;
+
+    std::vector<Field>
+    fields() const;
 
     void
     warn_of_assumptions(const DistinctCells &cells,
@@ -124,6 +132,7 @@ namespace springfit
                      const Mesh<dim> &mesh,
                      const Element<dim> &element,
                      const MaterialTable &materials,
+                     const Eigen::MatrixXd &responses,
                      const Row &row,
                      CalibratedNetwork &network,
                      Session &session) const;
@@ -132,6 +141,7 @@ namespace springfit
     std::string enrichments_word_ = "none";
     std::string norm_word_        = "frobenius";
     std::string engine_word_      = "ipopt";
+    std::string fields_word_      = "affine, quadratic";
     std::string law_word_         = "quadratic";
     std::string scope_word_       = "cell";
     Scope scope_                  = Scope::cell;

@@ -26,6 +26,27 @@ namespace springfit
   const WordTable<Scope> &
   scope_words();
 
+  /** Displacements whose nodal forces a fit of a whole object reproduces. */
+  enum class Field
+  {
+    affine,
+    quadratic,
+    responses // to the loads of the scene
+  };
+
+  const WordTable<Field> &
+  field_words();
+
+  /**
+   * @param nodes dim x n_nodes, m
+   * @param responses given displacements, one per column
+   * @return (dim * n_nodes) x n_fields
+   */
+  Eigen::MatrixXd
+  displacement_fields(const std::vector<Field> &fields,
+                      const Eigen::MatrixXd &nodes,
+                      const Eigen::MatrixXd &responses);
+
   /** The fits that there are of a whole object. */
   const std::vector<Method> &
   object_methods();
@@ -87,12 +108,15 @@ namespace springfit
 
   /**
    * @param method one of object_methods()
+   * @param fields see fit_forces(); of the consistent fit
    *
    * @throws RunError as the fit does, when the constants are not finite, or
    * when a part of the fitted object is held by nothing.
    */
   ObjectFit
-  fit_object(const ObjectProblem &problem, Method method);
+  fit_object(const ObjectProblem &problem,
+             Method method,
+             const Eigen::MatrixXd &fields);
 } // namespace springfit
 
 #endif

@@ -34,11 +34,16 @@ namespace springfit
    * a network has them, couplings_<fit>.csv, angles_<fit>.csv and
    * volumes_<fit>.csv. Results of an earlier run in the output folder are
    * removed first.
+   *
+   * @param responses displacements of the linear finite elements under the
+   * scene's loads, one per column, row dim * v + d for component d of vertex v;
+   * empty where nothing is loaded
    */
   template <int dim>
   void
   calibrate_scene(const Scene<dim> &scene,
                   CalibratedScene<dim> &calibrated,
+                  const Eigen::MatrixXd &responses,
                   Session &session);
 } // namespace springfit
 

@@ -29,6 +29,10 @@ namespace springfit
   struct CaseResult
   {
     LoadCase load_case;
+
+    /** Of the linear finite elements, dim x n_nodes, m. */
+    Eigen::MatrixXd linear_displacement;
+
     Equilibrium reference;
     std::vector<NetworkResponse> networks;
   };
@@ -41,14 +45,24 @@ namespace springfit
 
   /**
    * Scale every load case to the deformation that the user asks of the linear
-   * finite elements, and find the equilibrium of all models under it. What does
-   * not reach the whole load is warned of.
+   * finite elements, and find the equilibrium of the finite elements under it.
+   * The networks of @p calibrated are not used. What does not reach the whole
+   * load is warned of.
    */
   template <int dim>
   std::vector<CaseResult>
+  find_references(const Scene<dim> &scene,
+                  const CalibratedScene<dim> &calibrated,
+                  const Loading &loading,
+                  Session &session);
+
+  /** Then that of all networks. */
+  template <int dim>
+  void
   find_responses(const Scene<dim> &scene,
                  const CalibratedScene<dim> &calibrated,
                  const Loading &loading,
+                 std::vector<CaseResult> &results,
                  Session &session);
 } // namespace springfit
 
