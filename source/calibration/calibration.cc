@@ -392,16 +392,35 @@ namespace springfit
     const auto unit_network =
       assemble_network(mesh, cells, units, element, materials);
 
+    // Of the consistent fit: the same fit of the cells.
+    Eigen::VectorXd prior;
+    if (row.method == Method::consistent)
+      {
+        CalibratedNetwork by_cells;
+        calibrate_cells(
+          cells, mesh, element, materials, row, by_cells, session);
+        prior = constants_of(by_cells.network);
+      }
+
     // The same on every rank: a factorisation is not worth distributing.
     const auto start = std::chrono::steady_clock::now();
     ObjectFit found;
     run_collectively(session.communicator(), [&]() {
-      found = fit_object(
+      auto problem =
         make_object_problem<dim>(unit_network,
                                  object_stiffness(mesh, element, materials),
-                                 options_.nonnegative),
-        row.method,
-        displacement_fields(fields(), unit_network.nodes, responses));
+                                 options_.nonnegative);
+      const auto all_fields =
+        displacement_fields(fields(), unit_network.nodes, responses);
+      found = fit_object(problem, row.method, all_fields, prior);
+      if (found.n_unstable > 0 && options_.nonnegative &&
+          row.enrichment != Enrichment::coupling)
+        {
+          // Volumes or angles so negative that the object gives way. Where
+          // these, too, are >= 0 it cannot.
+          problem.nonnegative.assign(problem.terms.size(), true);
+          found = fit_object(problem, row.method, all_fields, prior);
+        }
     });
     const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
@@ -417,8 +436,7 @@ namespace springfit
                    "' are unstable where nothing holds them: " +
                    std::to_string(found.n_unstable) +
                    " of their deformations release energy. Set 'Nonnegative = "
-                   "true' in section Fit, or take 'compliance', which is less "
-                   "prone to it.");
+                   "true' in section Fit.");
   }
 
   template class Calibration<2>;

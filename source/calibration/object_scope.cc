@@ -191,36 +191,64 @@ namespace springfit
     return network;
   }
 
+  Eigen::VectorXd
+  constants_of(const SpringNetwork &network)
+  {
+    std::vector<double> constants = network.stiffness;
+    for (const auto &coupling : network.couplings)
+      constants.push_back(coupling.stiffness);
+    for (const auto &spring : network.angles)
+      constants.push_back(spring.stiffness);
+    for (const auto &spring : network.volumes)
+      constants.push_back(spring.stiffness);
+    return Eigen::Map<const Eigen::VectorXd>(constants.data(),
+                                             constants.size());
+  }
+
+  namespace
+  {
+    Eigen::VectorXd
+    solve(const ObjectProblem &problem,
+          const Method method,
+          const Eigen::MatrixXd &fields,
+          const Eigen::VectorXd &prior)
+    {
+      // How much the distance from the prior counts beside the forces: with
+      // less, meshes get motions that release energy.
+      constexpr double prior_weight = 0.3;
+
+      switch (method)
+        {
+          case Method::frobenius:
+            return fit_matrix(problem);
+          case Method::consistent:
+            return fit_forces(problem, fields, prior, prior_weight);
+          case Method::compliance:
+            return fit_compliance(problem);
+          default:
+            throw std::logic_error("a fit is not one of whole objects");
+        }
+    }
+  } // namespace
+
   ObjectFit
   fit_object(const ObjectProblem &problem,
              const Method method,
-             const Eigen::MatrixXd &fields)
+             const Eigen::MatrixXd &fields,
+             const Eigen::VectorXd &prior)
   {
-    // Of the whole matrix in a fit of forces: with less, affine fields alone
-    // leave meshes of tetrahedra motions that release energy.
-    constexpr double matrix_weight = 1.;
-
-    ObjectFit fit;
-    if (method == Method::frobenius)
-      fit.constants = fit_matrix(problem);
-    else if (method == Method::consistent)
-      fit.constants = fit_forces(problem, fields, matrix_weight);
-    else if (method == Method::compliance)
-      fit.constants = fit_compliance(problem);
-    else
-      throw std::logic_error("a fit is not one of whole objects");
-    if (!fit.constants.allFinite())
+    const Eigen::VectorXd constants = solve(problem, method, fields, prior);
+    if (!constants.allFinite())
       throw RunError("The fit of the whole object gave constants that are not "
                      "finite.",
                      "Improve the mesh.");
-
-    const auto &R          = problem.stiffness;
-    const auto K           = fitted_stiffness(problem, fit.constants);
-    const SparseMatrix E   = R - K;
-    fit.frobenius_residual = E.norm() / R.norm();
-    fit.spectral_residual  = spectral_norm(E) / spectral_norm(R);
-    fit.n_unstable         = FreeBody(K, problem.nodes).n_unstable();
-    return fit;
+    const auto &R        = problem.stiffness;
+    const SparseMatrix K = fitted_stiffness(problem, constants);
+    const SparseMatrix E = R - K;
+    return {constants,
+            E.norm() / R.norm(),
+            spectral_norm(E) / spectral_norm(R),
+            FreeBody(K, problem.nodes).n_unstable()};
   }
 
   template Eigen::SparseMatrix<double>

@@ -126,16 +126,18 @@ namespace springfit
   Eigen::VectorXd
   fit_forces(const ObjectProblem &problem,
              const Eigen::MatrixXd &fields,
-             const double matrix_weight)
+             const Eigen::VectorXd &prior,
+             const double prior_weight)
   {
     const auto forces = force_equations(problem, fields);
     const auto matrix = matrix_equations(problem);
-    const double w    = matrix_weight * matrix_weight;
+    const double w    = prior_weight * prior_weight;
 
-    SparseMatrix G = forces.A.transpose() * forces.A;
-    G += w * SparseMatrix(matrix.A.transpose() * matrix.A);
+    const SparseMatrix G_matrix = matrix.A.transpose() * matrix.A;
+    const SparseMatrix G =
+      SparseMatrix(forces.A.transpose() * forces.A) + w * G_matrix;
     const Eigen::VectorXd g =
-      forces.A.transpose() * forces.d + w * (matrix.A.transpose() * matrix.d);
+      forces.A.transpose() * forces.d + w * (G_matrix * prior);
     return minimise_quadratic(G, g, problem.nonnegative);
   }
 } // namespace springfit

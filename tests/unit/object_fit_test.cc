@@ -218,7 +218,10 @@ namespace
   Eigen::VectorXd
   fit_affine_forces(const ObjectProblem &problem)
   {
-    return fit_forces(problem, affine_fields(problem.nodes), 0.1);
+    return fit_forces(problem,
+                      affine_fields(problem.nodes),
+                      fit_matrix(problem),
+                      0.1);
   }
 
   const std::vector<Fit> all_object_fits = {fit_matrix,
@@ -257,10 +260,13 @@ namespace
           image << flat(T * unit), weight / R.norm() * flat(T);
           return image;
         });
-        expect_same_stiffness(problem,
-                              fit_forces(problem, fields, weight),
-                              expected,
-                              1e-8);
+        expect_same_stiffness(
+          problem,
+          // A free prior is the whole matrix's part that
+          // springs can have.
+          fit_forces(problem, fields, fit_matrix(problem), weight),
+          expected,
+          1e-8);
       }
   }
 
@@ -359,8 +365,9 @@ namespace
             make_problem(make_grid(kind, 0., random), Terms::volumes, nu);
           const Eigen::MatrixXd fields = affine_fields(problem.nodes);
           const auto error             = [&](const double weight) {
-            const auto K =
-              fitted_stiffness(problem, fit_forces(problem, fields, weight));
+            const auto K = fitted_stiffness(
+              problem,
+              fit_forces(problem, fields, fit_matrix(problem), weight));
             return ((problem.stiffness - K) * fields).norm() /
                    (problem.stiffness * fields).norm();
           };

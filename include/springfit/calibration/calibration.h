@@ -141,7 +141,7 @@ namespace springfit
     std::string enrichments_word_ = "none";
     std::string norm_word_        = "frobenius";
     std::string engine_word_      = "ipopt";
-    std::string fields_word_      = "affine, quadratic";
+    std::string fields_word_      = "responses";
     std::string law_word_         = "quadratic";
     std::string scope_word_       = "cell";
     Scope scope_                  = Scope::cell;

@@ -90,6 +90,10 @@ namespace springfit
   SpringNetwork
   with_constants(SpringNetwork network, const Eigen::VectorXd &constants);
 
+  /** The constants of a network in the order of its terms. */
+  Eigen::VectorXd
+  constants_of(const SpringNetwork &network);
+
   /** A whole object fitted, and how near its stiffness K is to R. */
   struct ObjectFit
   {
@@ -108,7 +112,7 @@ namespace springfit
 
   /**
    * @param method one of object_methods()
-   * @param fields see fit_forces(); of the consistent fit
+   * @param fields, prior see fit_forces(); of the consistent fit
    *
    * @throws RunError as the fit does, when the constants are not finite, or
    * when a part of the fitted object is held by nothing.
@@ -116,7 +120,8 @@ namespace springfit
   ObjectFit
   fit_object(const ObjectProblem &problem,
              Method method,
-             const Eigen::MatrixXd &fields);
+             const Eigen::MatrixXd &fields,
+             const Eigen::VectorXd &prior);
 } // namespace springfit
 
 #endif

@@ -39,18 +39,20 @@ namespace springfit
   fit_matrix(const ObjectProblem &problem);
 
   /**
-   * The constants that minimise the sum of the squares of force_equations()
-   * and @p matrix_weight^2 times that of matrix_equations(). Without the
-   * matrix the constants are not unique, and deformations that no field
-   * excites may cost no energy: on tetrahedra with volume springs, weights
-   * below 1 leave motions that release some.
+   * The constants c that minimise the sum of the squares of force_equations()
+   * and @p prior_weight^2 ||K(c) - K(prior)||_F^2 / ||R||_F^2. Without the
+   * prior the constants are not unique, and deformations that no field excites
+   * may cost no energy.
+   *
+   * @param prior constants to stay near to, such as those of fits of the cells
    *
    * @throws RunError as minimise_quadratic() does.
    */
   Eigen::VectorXd
   fit_forces(const ObjectProblem &problem,
              const Eigen::MatrixXd &fields,
-             double matrix_weight);
+             const Eigen::VectorXd &prior,
+             double prior_weight);
 } // namespace springfit
 
 #endif
