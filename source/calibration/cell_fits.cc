@@ -108,7 +108,7 @@ namespace springfit
           catch (const RunError &error)
             {
               throw RunError("The fit '" + name + "' of " +
-                               description<dim>(cell, kind) + " failed.",
+                               description<dim>(cell, kind) + " failed:",
                              error.what());
             }
           const std::chrono::duration<double> seconds =

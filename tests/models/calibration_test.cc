@@ -38,6 +38,7 @@ namespace
     auto networks = calibration->calibrate(mesh,
                                            make_element<dim>(mesh.cell_kind),
                                            materials,
+                                           {},
                                            session);
     std::filesystem::remove_all(folder);
     return networks;
