@@ -71,6 +71,26 @@ namespace springfit
       return counts;
     }
 
+    /** Of springs alone the loaded object is checked as a whole. */
+    void
+    warn_of_indefinite_cells(const std::vector<TimedFit> &fits,
+                             const std::string &name,
+                             Session &session)
+    {
+      constexpr double rounding = 1e-10;
+      const auto is_indefinite  = [](const TimedFit &fit) {
+        return fit.result.smallest_eigenvalue.value_or(0.) < -rounding;
+      };
+      const auto n = std::count_if(fits.begin(), fits.end(), is_indefinite);
+      if (n > 0)
+        session.warn("The forces of '" + name +
+                     "' release energy in some "
+                     "deformation of " +
+                     std::to_string(n) + " of " + std::to_string(fits.size()) +
+                     " distinct cells: smallest_eigenvalue in fit.csv is "
+                     "negative there. 'Nonnegative = true' in section Fit "
+                     "keeps approximations of the stiffness from that.");
+    }
   } // namespace
 
   template <int dim>
@@ -366,6 +386,8 @@ namespace springfit
       }
     network.network = assemble_network(mesh, cells, models, element, materials);
 
+    if (row.enrichment != Enrichment::none)
+      warn_of_indefinite_cells(fits, network.name, session);
     const unsigned int n = n_negative(network.network);
     if (options_.nonnegative && is_published(row.method) && n > 0)
       session.warn("Of the springs of '" + network.name + "' " +

@@ -513,13 +513,10 @@ namespace springfit
                            found.duality_gap,
                            smallest_eigenvalue(problem, found.model),
                            n_negative(found.model.k)};
-    // Springs alone, free, may release energy, and so may published formulas:
-    // they are what they are.
-    if (!is_published(method) && options.enrichment != Enrichment::none &&
+    if (!is_published(method) && options.nonnegative &&
         *result.smallest_eigenvalue < zero_eigenvalue)
       throw RunError(not_definite(*result.smallest_eigenvalue, options),
-                     "Set 'Fit/Nonnegative = true', which keeps it from that, "
-                     "or improve the mesh there.");
+                     "Improve the mesh there, or choose another material.");
     return result;
   }
 

@@ -137,8 +137,9 @@ namespace springfit
    *
    * @throws RunError when R is zero or not finite, when the engine breaks
    * down without a result, when a volume is zero or an angle straight or
-   * folded, when the constants are not finite, or when a cell with an
-   * enrichment, of a fit that is not published, is not positive semidefinite.
+   * folded, when the constants are not finite, or when a fit with
+   * FitOptions::nonnegative that is not published is not positive semidefinite
+   * all the same.
    */
   FitResult
   fit(const FitProblem &problem, Method method, const FitOptions &options);
