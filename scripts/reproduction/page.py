@@ -1,6 +1,7 @@
 """The readable page, in Markdown."""
 import datetime
 import platform
+import shutil
 import subprocess
 
 from experiments import LAWS, SHEAR_PERCENT, SIMILAR_MESHES, SPRINGS_ONLY, SWEEPS
@@ -13,7 +14,7 @@ PAPER = ("S. Natsupakpong and M. C. Cavusoglu, Determination of elasticity param
          "(https://doi.org/10.1016/j.gmod.2010.10.001)")
 
 
-def _table(header, rows):
+def markdown_table(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
@@ -68,7 +69,7 @@ def figures_table(table, lines, rows, with_kinematics=False):
             model = [f"{line.kinematics} / {line.law}"] if with_kinematics else []
             body.append([label, *model, *_cells_of(line), line.remark])
         header = ["fit"] + (["springs / finite elements"] if with_kinematics else [])
-        text.append(_table(header + ["paper", "ours", "ratio", "remark"], body))
+        text.append(markdown_table(header + ["paper", "ours", "ratio", "remark"], body))
     return "\n".join(text)
 
 
@@ -85,7 +86,7 @@ def summary(rows, remarks):
                      f"{ours[mine]:.2f} ({mine})" if ours else "-",
                      "yes" if good else "no", "yes" if agrees else "no",
                      "; ".join(why)])
-    return _table(["table", "object", "load", "paper's best row", "our best, k >= 0",
+    return markdown_table(["table", "object", "load", "paper's best row", "our best, k >= 0",
                    "at least as good", "same mesh", "remark"], body)
 
 
@@ -123,7 +124,7 @@ def spread_tables(rows):
                                (numbers[0], numbers[len(numbers) // 2], numbers[-1])),
                              paper, place_in_spread(paper, numbers)])
                 first = ""
-    return _table(["meshes", "fit", "figure", "lowest", "median", "highest", "paper",
+    return markdown_table(["meshes", "fit", "figure", "lowest", "median", "highest", "paper",
                    "the paper's lies"], body)
 
 
@@ -146,7 +147,7 @@ def large_matrix(lines):
                     row.append(f"{found[0].ours[ERRORS[0]]:.2f}" if found else "-")
             body.append([f"`{fit}{', k >= 0' if nonnegative else ''}`"] + row)
         text.append(f"**cube, {cells}**, e_rms in %\n")
-        text.append(_table(["fit"] + [f"{k} springs, {law}" for law in LAWS
+        text.append(markdown_table(["fit"] + [f"{k} springs, {law}" for law in LAWS
                                       for k in ("linear", "nonlinear")], body))
     return "\n".join(text)
 
@@ -168,7 +169,7 @@ def large_shear(rows):
             if found[0]:
                 body.append([f"{object_}, {cells}", f"`{fit}`", paper,
                              *(text or "-" for text in found)])
-    return _table(["object", "fit", "paper", "linear springs",
+    return markdown_table(["object", "fit", "paper", "linear springs",
                    *(f"true forces, {percent} %" for percent in SHEAR_PERCENT)], body)
 
 
@@ -196,7 +197,7 @@ def other_loads(rows):
         entry[1][row["case"]] = (f"{float(row['e_rms_percent']):.2f} / "
                                  f"{float(row['e_max_percent']):.2f}")
     cases = ("tension", "compression", "shear", "torsion")
-    return _table(["object", "fit", *cases],
+    return markdown_table(["object", "fit", *cases],
                   [[f"{o}, {c}", f"`{f}{', k >= 0' if n else ''}`",
                     *(found.get(case, "-") for case in cases)]
                    for (o, c, f, n), found in body])
@@ -207,7 +208,7 @@ def times_table(times):
     body = [[cells, f"`{label}`", paper, f"{ours:.3g}" if ours else "-",
              f"{ours / float(paper):.1e}" if ours and paper else "", remark]
             for cells, label, paper, ours, remark in times]
-    return _table(["cells", "fit", "paper, s", "ours, s", "ratio", "remark"], body)
+    return markdown_table(["cells", "fit", "paper, s", "ours, s", "ratio", "remark"], body)
 
 
 def sweep_summary(sweeps):
@@ -226,7 +227,7 @@ def sweep_summary(sweeps):
             if ratios and nus:
                 body.append([cells, f"`{label}`", f"{min(ratios):.4f} to {max(ratios):.4f}",
                              f"{min(nus) + 0.:.3f} to {max(nus):.3f}"])
-    return _table(["cell", "fit", "E_out / E_in (nu_in = 0.3, all E_in)",
+    return markdown_table(["cell", "fit", "E_out / E_in (nu_in = 0.3, all E_in)",
                    "nu_out (all nu_in)"], body)
 
 
@@ -240,9 +241,20 @@ def origin(top, program):
             f"{platform.system()}; {datetime.date.today().isoformat()}")
 
 
+def publish(top, folder, name):
+    """Ship the page of a folder of results, and its pictures, in doc/."""
+    text = (folder / f"{name}.md").read_text()
+    (top / "doc" / f"{name}.md").write_text(text.replace("](pictures/", f"]({name}/"))
+    shipped = top / "doc" / name
+    shutil.rmtree(shipped, ignore_errors=True)
+    shipped.mkdir()
+    for picture in (folder / "pictures").glob("*.svg"):
+        shutil.copy(picture, shipped / picture.name)
+
+
 def problems(experiments):
     found = [e for e in experiments if e.problem]
     if not found:
         return ""
     return ("\n## Runs with problems\n\n" +
-            _table(["run", "what it said"], [[f"`{e.name}`", e.problem] for e in found]))
+            markdown_table(["run", "what it said"], [[f"`{e.name}`", e.problem] for e in found]))

@@ -16,12 +16,13 @@ COLOURS = ("#4477aa", "#ee6677", "#228833", "#aa3377", "#ccbb44", "#66ccee", "#b
 
 
 def gnuplot(path, size, script):
-    """Write a picture; a tenth of a point is fine enough."""
+    """Write a picture; a tenth of a point is fine enough for what is drawn."""
     head = (f"set terminal svg noenhanced size {size[0]},{size[1]} font 'sans,12' "
             f"background 'white'\nset output '{path}'\n")
     subprocess.run(["gnuplot"], input=head + script + "\nunset output\n", text=True,
                    check=True, capture_output=True)
-    path.write_text(re.sub(r"(\d+\.\d)\d+", r"\1", path.read_text()))
+    path.write_text(re.sub(r"<[^>]*>", lambda tag: re.sub(r"(\d+\.\d)\d+", r"\1", tag[0]),
+                           path.read_text()))
 
 
 def _sum(points):

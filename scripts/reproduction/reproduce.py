@@ -109,17 +109,6 @@ def unfinished(lines, time_lines, sweeps):
                       time_lines if paper and not ours]
 
 
-def publish(folder):
-    """The page and its pictures, as they are shipped."""
-    text = (folder / "reproduction.md").read_text()
-    (TOP / "doc" / "reproduction.md").write_text(text.replace("](pictures/", "](reproduction/"))
-    shipped = TOP / "doc" / "reproduction"
-    shutil.rmtree(shipped, ignore_errors=True)
-    shipped.mkdir()
-    for picture in (folder / "pictures").glob("*.svg"):
-        shutil.copy(picture, shipped / picture.name)
-
-
 def main():
     parser = argparse.ArgumentParser(prog="scripts/reproduce")
     parser.add_argument("--reuse", action="store_true",
@@ -168,7 +157,7 @@ def main():
     text = string.Template((HERE / "page.md").read_text()).substitute(fill)
     (folder / "reproduction.md").write_text(re.sub(r"\n{3,}", "\n\n", text))
     if arguments.publish:
-        publish(folder)
+        page.publish(TOP, folder, "reproduction")
 
     missing = unfinished(lines, time_lines, sweeps)
     for row in missing:

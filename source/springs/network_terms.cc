@@ -5,6 +5,9 @@
 #include <springfit/springs/network_terms.h>
 #include <springfit/springs/volume.h>
 
+#include <array>
+#include <utility>
+
 namespace springfit
 {
   namespace
@@ -64,28 +67,133 @@ namespace springfit
     };
 
 
-    /** A generalised spring whose coordinate is @p q. */
-    template <typename Gradient, typename Hessian>
-    EnergyTerm
-    spring_term(const std::vector<unsigned int> &nodes,
-                const double k,
-                const double q,
-                const double q0,
-                const Gradient &gradient,
-                const Hessian &hessian)
-    {
-      return {nodes,
-              spring_energy(k, q, q0),
-              -spring_force(k, q, q0, gradient),
-              spring_tangent(k, q, q0, gradient, hessian)};
-    }
-
+    // The coordinates that have no type of their own, at a state: like
+    // Elongation, each derivative is computed when asked for.
 
     template <int dim>
-    struct Evaluate
+    struct AngleCoordinate
+    {
+      Vector<dim> u;
+      Vector<dim> v;
+
+      double
+      value() const
+      {
+        return angle<dim>(u, v);
+      }
+
+      Vector<3 * dim>
+      gradient() const
+      {
+        return angle_gradient<dim>(u, v);
+      }
+
+      Tensor<3 * dim>
+      hessian() const
+      {
+        return angle_hessian<dim>(u, v);
+      }
+    };
+
+    struct VolumeCoordinate
+    {
+      Eigen::MatrixXd points;
+      CellKind kind;
+
+      double
+      value() const
+      {
+        return volume(points, kind);
+      }
+
+      Eigen::VectorXd
+      gradient() const
+      {
+        return volume_gradient(points, kind);
+      }
+
+      Eigen::MatrixXd
+      hessian() const
+      {
+        return volume_hessian(points, kind);
+      }
+    };
+
+
+    // Terms at a state: their nodes, and the energy's derivatives on demand.
+
+    template <typename Nodes, typename Coordinate>
+    struct SpringTerm
+    {
+      Nodes nodes;
+      double k;
+      double q0;
+      Coordinate q;
+
+      double
+      energy() const
+      {
+        return spring_energy(k, q.value(), q0);
+      }
+
+      auto
+      gradient() const
+      {
+        const auto grad_q = q.gradient();
+        return (-spring_force(k, q.value(), q0, grad_q)).eval();
+      }
+
+      auto
+      hessian() const
+      {
+        return spring_tangent(k, q.value(), q0, q.gradient(), q.hessian());
+      }
+    };
+
+    template <typename Nodes, typename Coordinate>
+    SpringTerm(Nodes, double, double, Coordinate)
+      -> SpringTerm<Nodes, Coordinate>;
+
+    template <int dim>
+    struct CouplingTerm
+    {
+      std::array<unsigned int, 4> nodes;
+      double k;
+      Elongation<dim> a;
+      Elongation<dim> b;
+
+      double
+      energy() const
+      {
+        return coupling_energy(k, a, b);
+      }
+
+      Vector<4 * dim>
+      gradient() const
+      {
+        return coupling_gradient(k, a, b);
+      }
+
+      Tensor<4 * dim>
+      hessian() const
+      {
+        return coupling_hessian(k, a, b);
+      }
+    };
+
+
+    /**
+     * Calls @p f with the term at the state that a part of the network is, if
+     * it has derivatives there.
+     *
+     * @return whether it has.
+     */
+    template <int dim, typename F>
+    struct AtState
     {
       const SpringNetwork &network;
       const Eigen::MatrixXd &displacement;
+      const F &f;
 
       Vector<dim>
       place(const unsigned int node) const
@@ -102,66 +210,74 @@ namespace springfit
                                  place(network.i[spring]));
       }
 
-      std::optional<EnergyTerm>
+      bool
       operator()(const LengthSpring &spring) const
       {
         const unsigned int s = spring.position;
         const auto q         = elongation_of(s);
         if (!q)
-          return {};
-        return spring_term({network.i[s], network.j[s]},
-                           network.stiffness[s],
-                           q->value,
-                           0.,
-                           q->gradient,
-                           q->hessian);
+          return false;
+        f(SpringTerm{NodePair{{network.i[s], network.j[s]}},
+                     network.stiffness[s],
+                     0.,
+                     *q});
+        return true;
       }
 
-      std::optional<EnergyTerm>
+      bool
       operator()(const LengthCoupling &coupling) const
       {
         const auto [a, b, k] = coupling;
         const auto q_a = elongation_of(a), q_b = elongation_of(b);
         if (!q_a || !q_b)
-          return {};
-        return EnergyTerm{
-          {network.i[a], network.j[a], network.i[b], network.j[b]},
-          coupling_energy(k, *q_a, *q_b),
-          coupling_gradient(k, *q_a, *q_b),
-          coupling_hessian(k, *q_a, *q_b)};
+          return false;
+        f(CouplingTerm<dim>{
+          {{network.i[a], network.j[a], network.i[b], network.j[b]}},
+          k,
+          *q_a,
+          *q_b});
+        return true;
       }
 
-      std::optional<EnergyTerm>
+      bool
       operator()(const AngleSpring &spring) const
       {
-        const auto [a, m, c] = spring.nodes;
-        const Vector<dim> u  = place(a) - place(m);
-        const Vector<dim> v  = place(c) - place(m);
-        if (is_degenerate_angle<dim>(u, v))
-          return {};
-        return spring_term({a, m, c},
-                           spring.stiffness,
-                           angle<dim>(u, v),
-                           spring.rest_angle,
-                           angle_gradient<dim>(u, v),
-                           angle_hessian<dim>(u, v));
+        const auto [a, m, c]         = spring.nodes;
+        const AngleCoordinate<dim> q = {place(a) - place(m),
+                                        place(c) - place(m)};
+        if (is_degenerate_angle<dim>(q.u, q.v))
+          return false;
+        f(SpringTerm{spring.nodes, spring.stiffness, spring.rest_angle, q});
+        return true;
       }
 
-      std::optional<EnergyTerm>
+      bool
       operator()(const VolumeSpring &spring) const
       {
         Eigen::MatrixXd points(dim, spring.nodes.size());
         for (std::size_t v = 0; v < spring.nodes.size(); ++v)
-          points.col(v) = place(spring.nodes[v]);
+          points.col(v) = network.nodes.col(spring.nodes[v]) +
+                          displacement.col(spring.nodes[v]);
         const CellKind kind = cell_kind(dim, spring.nodes.size());
-        return spring_term(spring.nodes,
-                           spring.stiffness,
-                           volume(points, kind),
-                           spring.rest_volume,
-                           volume_gradient(points, kind),
-                           volume_hessian(points, kind));
+        f(SpringTerm{spring.nodes,
+                     spring.stiffness,
+                     spring.rest_volume,
+                     VolumeCoordinate{std::move(points), kind}});
+        return true;
       }
     };
+
+    template <int dim, typename F>
+    bool
+    at_state(const SpringNetwork &network,
+             const unsigned int term,
+             const Eigen::MatrixXd &displacement,
+             const F &f)
+    {
+      return with_part(network,
+                       term,
+                       AtState<dim, F>{network, displacement, f});
+    }
   } // namespace
 
   unsigned int
@@ -183,7 +299,29 @@ namespace springfit
                 const unsigned int term,
                 const Eigen::MatrixXd &displacement)
   {
-    return with_part(network, term, Evaluate<dim>{network, displacement});
+    std::optional<EnergyTerm> found;
+    at_state<dim>(network, term, displacement, [&](const auto &state) {
+      found = EnergyTerm{{state.nodes.begin(), state.nodes.end()},
+                         state.energy(),
+                         state.gradient(),
+                         state.hessian()};
+    });
+    return found;
+  }
+
+
+  template <int dim>
+  bool
+  add_term_gradient(const SpringNetwork &network,
+                    const unsigned int term,
+                    const Eigen::MatrixXd &displacement,
+                    Eigen::MatrixXd &gradient)
+  {
+    return at_state<dim>(network, term, displacement, [&](const auto &state) {
+      const auto of_term = state.gradient();
+      for (std::size_t a = 0; a < state.nodes.size(); ++a)
+        gradient.col(state.nodes[a]) += of_term.template segment<dim>(dim * a);
+    });
   }
 
   template std::optional<EnergyTerm>
@@ -194,4 +332,15 @@ namespace springfit
   evaluate_term<3>(const SpringNetwork &,
                    unsigned int,
                    const Eigen::MatrixXd &);
+
+  template bool
+  add_term_gradient<2>(const SpringNetwork &,
+                       unsigned int,
+                       const Eigen::MatrixXd &,
+                       Eigen::MatrixXd &);
+  template bool
+  add_term_gradient<3>(const SpringNetwork &,
+                       unsigned int,
+                       const Eigen::MatrixXd &,
+                       Eigen::MatrixXd &);
 } // namespace springfit

@@ -10,6 +10,24 @@ namespace springfit
 {
   namespace
   {
+    /** As a lazy product: that of large matrices takes longer to start. */
+    template <int dim>
+    Eigen::Matrix<double, dim, dim>
+    jacobian(const Eigen::MatrixXd &points, const Eigen::MatrixXd &gradients)
+    {
+      return points.lazyProduct(gradients.transpose());
+    }
+
+    template <int dim>
+    double
+    integrate(const Eigen::MatrixXd &points, const CellKind kind)
+    {
+      double sum = 0.;
+      for (const auto &[gradients, weight] : cell_quadrature(kind))
+        sum += weight * jacobian<dim>(points, gradients).determinant();
+      return sum;
+    }
+
     /** The derivative of det J with respect to J's entries. */
     template <int dim>
     Eigen::Matrix<double, dim, dim>
@@ -55,9 +73,8 @@ namespace springfit
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(dim, points.cols());
       for (const auto &[gradients, weight] : cell_quadrature(kind))
         {
-          const Eigen::Matrix<double, dim, dim> J =
-            points * gradients.transpose();
-          sum += weight * cofactors<dim>(J) * gradients;
+          const auto J = jacobian<dim>(points, gradients);
+          sum += weight * cofactors<dim>(J).lazyProduct(gradients);
         }
       return Eigen::Map<const Eigen::VectorXd>(sum.data(), sum.size());
     }
@@ -69,8 +86,7 @@ namespace springfit
       Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(points.size(), points.size());
       for (const auto &[gradients, weight] : cell_quadrature(kind))
         {
-          const Eigen::Matrix<double, dim, dim> J =
-            points * gradients.transpose();
+          const auto J = jacobian<dim>(points, gradients);
           for (Eigen::Index v = 0; v < points.cols(); ++v)
             for (Eigen::Index w = 0; w < points.cols(); ++w)
               sum.block<dim, dim>(dim * v, dim * w) +=
@@ -84,10 +100,8 @@ namespace springfit
   double
   volume(const Eigen::MatrixXd &points, const CellKind kind)
   {
-    double sum = 0.;
-    for (const auto &[gradients, weight] : cell_quadrature(kind))
-      sum += weight * (points * gradients.transpose()).determinant();
-    return sum;
+    return dimension(kind) == 2 ? integrate<2>(points, kind)
+                                : integrate<3>(points, kind);
   }
 
 

@@ -41,24 +41,24 @@ namespace
     const auto q            = [&](const Eigen::MatrixXd &y) {
       return elongation_of<dim>(law, L, y, 0, 1);
     };
-    EXPECT_NEAR(q(x).value,
+    EXPECT_NEAR(q(x).value(),
                 law == SpringLaw::quadratic ? l - L
                                             : (l - L) * (l + L) / (2. * L),
                 1e-14);
     const auto value = [&](const Eigen::MatrixXd &y) {
-      return scalar(q(y).value);
+      return scalar(q(y).value());
     };
     const auto gradient = [&](const Eigen::MatrixXd &y) {
-      return Eigen::VectorXd(q(y).gradient);
+      return Eigen::VectorXd(q(y).gradient());
     };
     EXPECT_LT((derivative(value, x).transpose() - gradient(x)).norm(), 1e-8);
-    EXPECT_LT((derivative(gradient, x) - q(x).hessian).norm(), 1e-8);
+    EXPECT_LT((derivative(gradient, x) - q(x).hessian()).norm(), 1e-8);
 
     // At rest all laws are the same.
     const auto at_rest = elongation_of<dim>(law, l, x, 0, 1);
-    EXPECT_NEAR(at_rest.value, 0., 1e-15);
+    EXPECT_NEAR(at_rest.value(), 0., 1e-15);
     EXPECT_LT(
-      (at_rest.gradient - length_gradients(x, {{{0, 1}}}).col(0)).norm(),
+      (at_rest.gradient() - length_gradients(x, {{{0, 1}}}).col(0)).norm(),
       1e-14);
   }
 
@@ -77,7 +77,7 @@ namespace
     EXPECT_FALSE(elongation<2>(SpringLaw::quadratic, 2., zero));
     const auto q = elongation<2>(SpringLaw::biquadratic, 2., zero);
     ASSERT_TRUE(q);
-    EXPECT_EQ(q->value, -1.); // (0 - 4) / 4
+    EXPECT_EQ(q->value(), -1.); // (0 - 4) / 4
   }
 
 

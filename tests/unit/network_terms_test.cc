@@ -102,6 +102,12 @@ namespace
     const State state       = evaluate<dim>(network, u);
     EXPECT_LT((derivative(energy, u).transpose() - state.gradient).norm(),
               1e-7);
+    Eigen::MatrixXd gradient_alone = Eigen::MatrixXd::Zero(dim, u.cols());
+    for (unsigned int t = 0; t < n_terms(network); ++t)
+      EXPECT_TRUE(add_term_gradient<dim>(network, t, u, gradient_alone));
+    EXPECT_LT(
+      (derivative(energy, u) - gradient_alone.reshaped().transpose()).norm(),
+      1e-7);
     EXPECT_LT((derivative(gradient, u) - state.hessian).norm(), 1e-6);
 
     // At rest the tangent is that of the gradients b_s, whatever the law.
@@ -158,6 +164,10 @@ namespace
     u(0, 1) = -1.; // the two ends of the base at one place
     EXPECT_FALSE(evaluate_term<2>(network, 0, u));
     EXPECT_FALSE(evaluate_term<2>(network, 1, u));
+    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(2, 3);
+    EXPECT_FALSE(add_term_gradient<2>(network, 0, u, gradient));
+    EXPECT_FALSE(add_term_gradient<2>(network, 1, u, gradient));
+    EXPECT_TRUE(gradient.isZero(0.));
   }
 
 

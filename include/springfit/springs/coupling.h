@@ -33,7 +33,7 @@ namespace springfit
                   const Elongation<dim> &a,
                   const Elongation<dim> &b)
   {
-    return stiffness * a.value * b.value;
+    return stiffness * a.value() * b.value();
   }
 
   /**
@@ -47,8 +47,8 @@ namespace springfit
                     const Elongation<dim> &b)
   {
     Vector<4 * dim> gradient;
-    gradient << stiffness * b.value * a.gradient,
-      stiffness * a.value * b.gradient;
+    gradient << stiffness * b.value() * a.gradient(),
+      stiffness * a.value() * b.gradient();
     return gradient;
   }
 
@@ -63,10 +63,10 @@ namespace springfit
                    const Elongation<dim> &b)
   {
     const Tensor<2 *dim> across =
-      stiffness * a.gradient * b.gradient.transpose();
+      stiffness * a.gradient() * b.gradient().transpose();
     Tensor<4 * dim> hessian;
-    hessian << stiffness * b.value * a.hessian, across, //
-      across.transpose(), stiffness * a.value * b.hessian;
+    hessian << stiffness * b.value() * a.hessian(), across, //
+      across.transpose(), stiffness * a.value() * b.hessian();
     return hessian;
   }
 } // namespace springfit

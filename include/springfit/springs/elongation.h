@@ -10,15 +10,49 @@
 
 namespace springfit
 {
-  /** The elongation q of a spring and its derivatives. */
+  /**
+   * The elongation q of a spring and its derivatives with respect to
+   * (x_i, x_j), each computed when asked for: forces want no Hessian.
+   */
   template <int dim>
   struct Elongation
   {
-    double value; // m
+    SpringLaw law;
+    double rest_length; // L, m
+    Vector<dim> d;      // x_j - x_i, m
 
-    // with respect to (x_i, x_j)
-    Vector<2 * dim> gradient;
-    Tensor<2 * dim> hessian; // 1/m
+    /** m */
+    double
+    value() const
+    {
+      if (law == SpringLaw::biquadratic)
+        return (d.squaredNorm() - rest_length * rest_length) /
+               (2. * rest_length);
+      return length<dim>(d) - rest_length;
+    }
+
+    Vector<2 * dim>
+    gradient() const
+    {
+      if (law == SpringLaw::quadratic)
+        return length_gradient<dim>(d);
+      const Vector<dim> g = d / rest_length;
+      Vector<2 * dim> gradient;
+      gradient << -g, g;
+      return gradient;
+    }
+
+    /** 1/m */
+    Tensor<2 * dim>
+    hessian() const
+    {
+      if (law == SpringLaw::quadratic)
+        return length_hessian<dim>(d);
+      const Tensor<dim> h = Tensor<dim>::Identity() / rest_length;
+      Tensor<2 * dim> hessian;
+      hessian << h, -h, -h, h;
+      return hessian;
+    }
   };
 
   /**
@@ -33,21 +67,9 @@ namespace springfit
              const double rest_length,
              const Vector<dim> &d)
   {
-    if (law == SpringLaw::biquadratic)
-      {
-        const double L        = rest_length;
-        const Vector<dim> g   = d / L;
-        const Tensor<dim> h   = Tensor<dim>::Identity() / L;
-        Elongation<dim> found = {(d.squaredNorm() - L * L) / (2. * L), {}, {}};
-        found.gradient << -g, g;
-        found.hessian << h, -h, -h, h;
-        return found;
-      }
-    if (!(length<dim>(d) > 1e-12 * rest_length))
+    if (law == SpringLaw::quadratic && !(length<dim>(d) > 1e-12 * rest_length))
       return {};
-    return Elongation<dim>{length<dim>(d) - rest_length,
-                           length_gradient<dim>(d),
-                           length_hessian<dim>(d)};
+    return Elongation<dim>{law, rest_length, d};
   }
 } // namespace springfit
 

@@ -32,6 +32,21 @@ namespace springfit
   evaluate_term(const SpringNetwork &network,
                 unsigned int term,
                 const Eigen::MatrixXd &displacement);
+
+  /**
+   * Add the gradient that evaluate_term() gives to those of the nodes: the
+   * forces of the network are the opposite of the sum over its terms. Energy
+   * and tangent are not computed: all that a step in time asks for.
+   *
+   * @param gradient dim x n_nodes, N
+   * @return whether the term has derivatives; nothing is added otherwise.
+   */
+  template <int dim>
+  bool
+  add_term_gradient(const SpringNetwork &network,
+                    unsigned int term,
+                    const Eigen::MatrixXd &displacement,
+                    Eigen::MatrixXd &gradient);
 } // namespace springfit
 
 #endif

@@ -1,0 +1,100 @@
+"""What scripts/enrichments runs: objects with all enrichments, and single cells."""
+import dataclasses
+
+from experiments import Experiment, scene_of
+
+POISSON = (0., 0.25, 0.3, 0.45, 0.49)
+JITTER = {"regular": 0., "distorted": 0.2}
+FITS = ("frobenius", "consistent")
+ENRICHMENTS = ("none", "volume", "angles", "coupling")
+OBJECTS = (("square", "triangles"), ("square", "quadrilaterals"), ("cube", "tetrahedra"),
+           ("cube", "hexahedra"))
+
+# Fits of all springs at once beside those of cells, on the same mesh: methods and
+# further options. The equations of compliance are dense: of the hexahedra a
+# coarser cube, 4 x 4 x 4.
+SCOPES = {
+    "cell": (FITS, ()),
+    "object": (("frobenius", "consistent", "compliance"), ("Fit/Scope=object",)),
+    "object, smooth fields": (("consistent",), ("Fit/Scope=object",
+                                                "Fit/Fields=affine, quadratic")),
+}
+COARSER = {("cube", "hexahedra"): ("Geometry/Cell size=0.005",)}
+
+# Figure 9: what a regular cell delivers, over nu_in and along an axis. The edges of
+# a regular tetrahedron are face diagonals of a cube.
+TWO_CELLS = ("triangles", "quadrilaterals")
+SETTINGS = {  # picture: its panels (title, scene, options)
+    f"plane_{state}": [(f"{cells}, plane {state}", "sweep_quadrilateral",
+                        (f"Geometry/Cells={cells}", f"Material/Plane state={state}"))
+                       for cells in TWO_CELLS] for state in ("stress", "strain")}
+SETTINGS["space"] = [("hexahedra", "sweep_hexahedron", ())] + [
+    (f"tetrahedra, pulled {title}", "sweep_hexahedron",
+     ("Geometry/Cells=tetrahedra", f"Sweep/Axis={axis}"))
+    for title, axis in (("along an edge", "1, 0, 0"),
+                        ("along an edge of the cube around it", "0, 1.4142135623730951, 1"),
+                        ("along a diagonal of that cube", "0, 0, 1"))]
+SWEPT = "0 to 0.49 in 50"
+SWEPT_ENRICHMENTS = ("none", "volume", "coupling")
+
+
+@dataclasses.dataclass
+class Run(Experiment):
+    """One run of springfit; of an object, one material and mesh."""
+    mesh: str = ""          # a word of JITTER
+    nu: float = 0.
+    scope: str = "cell"
+    title: str = ""         # of a sweep
+
+
+def cases_of(object_):
+    return ("tension", "shear") if object_ == "square" else ("tension", "shear", "torsion")
+
+
+def fit_options(methods, enrichments):
+    return (f"Fit/Methods={', '.join(methods)}", f"Fit/Enrichment={', '.join(enrichments)}",
+            "Fit/Nonnegative=true")
+
+
+def _objects(role, scope, of_fit, coarser=()):
+    for object_, cells in OBJECTS:
+        for mesh, jitter in JITTER.items():
+            for nu in POISSON:
+                name = f"{role}_{scope}_{object_}_{cells}_{mesh}_{nu:.2f}"
+                options = of_fit + (f"Loads/Cases={', '.join(cases_of(object_))}",)
+                options += dict(coarser).get((object_, cells), ())
+                options += (f"Geometry/Jitter={jitter:g}", f"Material/Poisson's ratio={nu:g}")
+                yield Run(name.replace(", ", "_").replace(" ", "_"), scene_of(object_, cells),
+                          object_, cells, role, True, options=options, mesh=mesh, nu=nu,
+                          scope=scope)
+
+
+def all_runs():
+    runs = list(_objects("enrichments", "cell", fit_options(FITS, ENRICHMENTS)))
+    for scope, (methods, more) in SCOPES.items():
+        runs += _objects("scopes", scope, fit_options(methods, ("volume",)) + more, COARSER)
+    for picture, panels in SETTINGS.items():
+        for number, (title, scene, options) in enumerate(panels):
+            options = fit_options(("consistent",), SWEPT_ENRICHMENTS) + options + (
+                "Sweep/Young's moduli=1e4", f"Sweep/Poisson's ratios={SWEPT}")
+            runs.append(Run(f"sweep_{picture}_{number}", f"parameters/{scene}.prm",
+                            "one cell", role="sweep", nonnegative=True, options=options,
+                            title=title))
+    return runs
+
+
+def command(run, nu=None, jitter=None):
+    """What a reader types for the run; with 'nu' or 'jitter' to put in."""
+    words = [f"scripts/run {run.scene}"]
+    for option in run.options:
+        entry, value = option.split("=", 1)
+        value = {"Material/Poisson's ratio": nu, "Geometry/Jitter": jitter}.get(entry) or value
+        words.append(f'--set "{entry}={value}"')
+    lines = [words[0]]
+    for word in words[1:]:
+        if len(lines[-1]) + len(word) > 84:
+            lines[-1] += " \\"
+            lines.append("  " + word)
+        else:
+            lines[-1] += " " + word
+    return "\n".join("    " + line for line in lines) + "\n"
