@@ -1,6 +1,7 @@
 #include <springfit/calibration/calibration.h>
 #include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/distinct_cells.h>
+#include <springfit/calibration/states.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
@@ -147,6 +148,16 @@ namespace springfit
                   "Whether every spring and angle of a cell must have a "
                   "stiffness >= 0 (no unit). Volumes and couplings are free as "
                   "long as the cell resists every deformation.");
+    add_parameter("States",
+                  states_text_,
+                  "Homogeneous deformations in which the tangent of a cell "
+                  "shall be near that of its finite element too, with the "
+                  "'Material law' of section Response: " +
+                    states_help() +
+                    " (no unit). A stretch is a deformed length divided by "
+                    "that at rest; the shear xy moves points along x, in "
+                    "proportion to y. The fit frobenius minimises the sum over "
+                    "them and the state at rest; others have no states.");
     add_parameter("Norm",
                   norm_word_,
                   "What the consistent fit of quadrilaterals and hexahedra "
@@ -165,8 +176,9 @@ namespace springfit
     parse_parameters_call_back.connect([this]() {
       options_.engine = value_of(engine_words(), engine_word_, "Fit/Engine");
       options_.norm   = value_of(norm_words(), norm_word_, "Fit/Norm");
-      law_   = value_of(spring_law_words(), law_word_, "Fit/Spring law");
-      scope_ = value_of(scope_words(), scope_word_, "Fit/Scope");
+      law_    = value_of(spring_law_words(), law_word_, "Fit/Spring law");
+      scope_  = value_of(scope_words(), scope_word_, "Fit/Scope");
+      states_ = parse_states(states_text_, dim, "Fit/States");
       check();
     });
   }
@@ -217,6 +229,10 @@ namespace springfit
   {
     rows();
     fields();
+    if (has_states() && scope_ == Scope::object)
+      throw EntryError("Fit/States",
+                       "the fits of the whole object have no states.",
+                       "Set 'Scope = cell', or leave 'States' empty.");
     if (!(options_.tolerance > 0. && std::isfinite(options_.tolerance)))
       {
         std::ostringstream value;
@@ -225,6 +241,29 @@ namespace springfit
                          value.str() + " is not positive and finite.",
                          "Give a relative gap such as 1e-6.");
       }
+  }
+
+  template <int dim>
+  bool
+  Calibration<dim>::has_states() const
+  {
+    return !states_.empty();
+  }
+
+  template <int dim>
+  void
+  Calibration<dim>::check_states(const MaterialLaw law) const
+  {
+    if (has_states() && law == MaterialLaw::linear)
+      throw EntryError(
+        "Fit/States",
+        "with the 'Material law' linear of section Response "
+        "the finite elements are the same in every state.",
+        "Set that to " +
+          join({word_of(material_law_words(), MaterialLaw::st_venant_kirchhoff),
+                word_of(material_law_words(), MaterialLaw::neo_hookean)},
+               " or ") +
+          ", or leave 'States' empty.");
   }
 
   template <int dim>
@@ -294,6 +333,18 @@ namespace springfit
                            "For " + mesh_cells + " there are: " + join(fits) +
                              '.');
         }
+
+    if (has_states())
+      for (const auto &row : rows())
+        if (!springfit::has_states(row.method, row.enrichment, kind))
+          throw EntryError("Fit/States",
+                           "the fit '" + word_of(method_words(), row.method) +
+                             "' of " + word_of(cell_kind_words(), kind) +
+                             " with the enrichment '" +
+                             word_of(enrichment_words(), row.enrichment) +
+                             "' has no states.",
+                           "Leave 'States' empty, or ask for frobenius only, "
+                           "with coupling on triangles and tetrahedra only.");
   }
 
 
@@ -303,11 +354,12 @@ namespace springfit
                               const Element<dim> &element,
                               const MaterialTable &materials,
                               const Eigen::MatrixXd &responses,
+                              const MaterialLaw law,
                               Session &session) const
   {
     check_cells(mesh.cell_kind);
-    const auto cells =
-      scope_ == Scope::object ? every_cell(mesh) : find_distinct_cells(mesh);
+    check_states(law);
+    const auto cells = distinct_cells(mesh);
     warn_of_assumptions(cells, mesh, materials, session);
 
     std::vector<CalibratedNetwork> networks;
@@ -328,13 +380,30 @@ namespace springfit
           calibrate_object(
             cells, mesh, element, materials, responses, row, network, session);
         else
-          calibrate_cells(
-            cells, mesh, element, materials, row, network, session);
+          calibrate_cells(cells,
+                          mesh,
+                          element,
+                          materials,
+                          {states_, law, law_},
+                          row,
+                          network,
+                          session);
         network.network.law = law_;
         network.seconds     = timer.wall_time();
         networks.push_back(std::move(network));
       }
     return networks;
+  }
+
+  template <int dim>
+  DistinctCells
+  Calibration<dim>::distinct_cells(const Mesh<dim> &mesh) const
+  {
+    if (scope_ == Scope::object)
+      return every_cell(mesh);
+    // States are given in the scene's directions.
+    return has_states() ? find_distinct_oriented_cells(mesh)
+                        : find_distinct_cells(mesh);
   }
 
   template <int dim>
@@ -363,6 +432,7 @@ namespace springfit
                                     const Mesh<dim> &mesh,
                                     const Element<dim> &element,
                                     const MaterialTable &materials,
+                                    const ReferenceStates &states,
                                     const Row &row,
                                     CalibratedNetwork &network,
                                     Session &session) const
@@ -373,6 +443,7 @@ namespace springfit
                                          materials,
                                          row.method,
                                          options(row),
+                                         states,
                                          network.name,
                                          session);
     std::vector<CellModel> models;
@@ -420,7 +491,7 @@ namespace springfit
       {
         CalibratedNetwork by_cells;
         calibrate_cells(
-          cells, mesh, element, materials, row, by_cells, session);
+          cells, mesh, element, materials, {}, row, by_cells, session);
         prior = constants_of(by_cells.network);
       }
 

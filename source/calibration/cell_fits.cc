@@ -4,6 +4,7 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/progress.h>
+#include <springfit/reference/cell_energy.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -28,6 +29,28 @@ namespace springfit
       return text.str();
     }
 
+    /** A cell and its reference's tangents in homogeneous deformations. */
+    template <int dim>
+    std::vector<DeformedState>
+    deformed_states(const CellIterator<dim> &cell,
+                    const CellMaterial &material,
+                    const std::vector<Eigen::MatrixXd> &deformation_gradients,
+                    CellEnergy<dim> &energy)
+    {
+      std::vector<DeformedState> states;
+      for (const auto &F : deformation_gradients)
+        {
+          const Eigen::MatrixXd displacement =
+            (F - Eigen::MatrixXd::Identity(dim, dim)) * cell_points<dim>(cell);
+          const auto term = energy.evaluate(cell, material, displacement);
+          if (!term)
+            throw RunError("its finite element has no energy in one of the "
+                           "'States'.",
+                           "Name smaller deformations.");
+          states.push_back({displacement, term->hessian});
+        }
+      return states;
+    }
   } // namespace
 
   template <int dim>
@@ -74,6 +97,7 @@ namespace springfit
                      const MaterialTable &materials,
                      const Method method,
                      const FitOptions &options,
+                     const ReferenceStates &states,
                      const std::string &name,
                      Session &session)
   {
@@ -88,6 +112,7 @@ namespace springfit
     std::map<unsigned int, std::vector<double>> mine;
     run_collectively(communicator, [&]() {
       CellMatrices<dim> cell_matrices(element);
+      CellEnergy<dim> cell_energy(element, states.material_law);
       Progress progress("Fits (" + name + ") of distinct cells",
                         (cells.distinct.size() + n_ranks - 1) / n_ranks,
                         rank == 0);
@@ -97,11 +122,13 @@ namespace springfit
           const auto &cell     = iterators[distinct.representative];
           const auto &material = materials.at(distinct.material);
           const auto start     = std::chrono::steady_clock::now();
-          const auto problem =
-            cell_problem<dim>(cell, kind, cell_matrices, material);
+          auto problem = cell_problem<dim>(cell, kind, cell_matrices, material);
+          problem.law  = states.spring_law;
           FitResult result;
           try
             {
+              problem.states = deformed_states<dim>(
+                cell, material, states.deformation_gradients, cell_energy);
               result = fit(problem, method, options);
               check_certificate(result, options);
             }
@@ -152,6 +179,7 @@ namespace springfit
                         const MaterialTable &,
                         Method,
                         const FitOptions &,
+                        const ReferenceStates &,
                         const std::string &,
                         Session &);
   template std::vector<TimedFit>
@@ -161,6 +189,7 @@ namespace springfit
                         const MaterialTable &,
                         Method,
                         const FitOptions &,
+                        const ReferenceStates &,
                         const std::string &,
                         Session &);
 } // namespace springfit

@@ -2,6 +2,7 @@
 #include <springfit/springs/cell_topology.h>
 
 #include <cmath>
+#include <numeric>
 
 namespace springfit
 {
@@ -12,11 +13,11 @@ namespace springfit
      * the distances of regular cells are: fractions and roots of fractions.
      */
     std::int64_t
-    to_integer(const double relative_distance)
+    to_integer(const double relative_length)
     {
       constexpr double resolution = 1e-9;
       constexpr double offset     = 0.2718281828459045;
-      return std::llround(relative_distance / resolution + offset);
+      return std::llround(relative_length / resolution + offset);
     }
 
     Eigen::MatrixXd
@@ -55,7 +56,7 @@ namespace springfit
   bool
   operator==(const ShapeKey &a, const ShapeKey &b)
   {
-    return a.kind == b.kind && a.distances == b.distances;
+    return a.kind == b.kind && a.lengths == b.lengths;
   }
 
 
@@ -82,7 +83,22 @@ namespace springfit
 
     CanonicalShape shape{{kind, {}}, *smallest, size};
     for (const auto &[i, j] : pairs)
-      shape.key.distances.push_back(integers((*smallest)[i], (*smallest)[j]));
+      shape.key.lengths.push_back(integers((*smallest)[i], (*smallest)[j]));
+    return shape;
+  }
+
+
+  CanonicalShape
+  oriented_shape(const Eigen::MatrixXd &points, const CellKind kind)
+  {
+    CanonicalShape shape{{kind, {}},
+                         std::vector<unsigned int>(points.cols()),
+                         distances_of(points).maxCoeff()};
+    std::iota(shape.permutation.begin(), shape.permutation.end(), 0);
+    const IntegerMatrix integers =
+      ((points.colwise() - points.col(0)) / shape.size).unaryExpr(&to_integer);
+    shape.key.lengths.assign(integers.data(),
+                             integers.data() + integers.size());
     return shape;
   }
 
@@ -112,8 +128,8 @@ std::hash<springfit::ShapeKey>::operator()(
   const springfit::ShapeKey &key) const noexcept
 {
   std::size_t seed = static_cast<std::size_t>(key.kind);
-  for (const auto distance : key.distances)
-    seed ^= std::hash<std::int64_t>()(distance) + 0x9e3779b97f4a7c15u +
+  for (const auto length : key.lengths)
+    seed ^= std::hash<std::int64_t>()(length) + 0x9e3779b97f4a7c15u +
             (seed << 6) + (seed >> 2);
   return seed;
 }

@@ -7,42 +7,60 @@
 
 namespace springfit
 {
+  namespace
+  {
+    /** Sort the cells by material and by what @p shape_of makes of them. */
+    template <int dim>
+    DistinctCells
+    sorted_cells(const Mesh<dim> &mesh,
+                 CanonicalShape (*shape_of)(const Eigen::MatrixXd &, CellKind))
+    {
+      DistinctCells cells;
+      std::vector<CanonicalShape> shapes; // of the representatives
+      std::map<dealii::types::material_id,
+               std::unordered_map<ShapeKey, unsigned int>>
+        known;
+
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        {
+          const auto shape = shape_of(cell_points<dim>(cell), mesh.cell_kind);
+          const auto [entry, is_new] =
+            known[cell->material_id()].try_emplace(shape.key,
+                                                   cells.distinct.size());
+          const unsigned int distinct = entry->second;
+          if (is_new)
+            {
+              cells.distinct.push_back(
+                {cell->active_cell_index(), cell->material_id(), 0});
+              shapes.push_back(shape);
+            }
+          ++cells.distinct[distinct].multiplicity;
+
+          CellCopy copy;
+          copy.distinct = distinct;
+          copy.scale    = shape.size / shapes[distinct].size;
+          copy.nodes.resize(shape.permutation.size());
+          for (unsigned int v = 0; v < shape.permutation.size(); ++v)
+            copy.nodes[shapes[distinct].permutation[v]] =
+              cell->vertex_index(shape.permutation[v]);
+          cells.copies.push_back(copy);
+        }
+      return cells;
+    }
+  } // namespace
+
   template <int dim>
   DistinctCells
   find_distinct_cells(const Mesh<dim> &mesh)
   {
-    DistinctCells cells;
-    std::vector<CanonicalShape> shapes; // of the representatives
-    std::map<dealii::types::material_id,
-             std::unordered_map<ShapeKey, unsigned int>>
-      known;
+    return sorted_cells(mesh, &canonical_shape);
+  }
 
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      {
-        const auto shape =
-          canonical_shape(cell_points<dim>(cell), mesh.cell_kind);
-        const auto [entry, is_new] =
-          known[cell->material_id()].try_emplace(shape.key,
-                                                 cells.distinct.size());
-        const unsigned int distinct = entry->second;
-        if (is_new)
-          {
-            cells.distinct.push_back(
-              {cell->active_cell_index(), cell->material_id(), 0});
-            shapes.push_back(shape);
-          }
-        ++cells.distinct[distinct].multiplicity;
-
-        CellCopy copy;
-        copy.distinct = distinct;
-        copy.scale    = shape.size / shapes[distinct].size;
-        copy.nodes.resize(shape.permutation.size());
-        for (unsigned int v = 0; v < shape.permutation.size(); ++v)
-          copy.nodes[shapes[distinct].permutation[v]] =
-            cell->vertex_index(shape.permutation[v]);
-        cells.copies.push_back(copy);
-      }
-    return cells;
+  template <int dim>
+  DistinctCells
+  find_distinct_oriented_cells(const Mesh<dim> &mesh)
+  {
+    return sorted_cells(mesh, &oriented_shape);
   }
 
   template <int dim>
@@ -69,4 +87,8 @@ namespace springfit
   find_distinct_cells<2>(const Mesh<2> &);
   template DistinctCells
   find_distinct_cells<3>(const Mesh<3> &);
+  template DistinctCells
+  find_distinct_oriented_cells<2>(const Mesh<2> &);
+  template DistinctCells
+  find_distinct_oriented_cells<3>(const Mesh<3> &);
 } // namespace springfit

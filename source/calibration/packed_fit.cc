@@ -81,6 +81,7 @@ namespace springfit
     writer.put(result.duality_gap);
     writer.put(result.smallest_eigenvalue);
     writer.put(static_cast<double>(result.n_negative));
+    writer.put(result.states_residual);
     writer.put(result.k);
     writer.put(result.angle_stiffness);
     writer.put(result.volume_stiffness);
@@ -105,6 +106,7 @@ namespace springfit
     result.duality_gap         = reader.optional();
     result.smallest_eigenvalue = reader.optional();
     result.n_negative          = static_cast<unsigned int>(reader.number());
+    result.states_residual     = reader.optional();
     result.k                   = reader.vector();
     result.angle_stiffness     = reader.vector();
     result.volume_stiffness    = reader.optional();

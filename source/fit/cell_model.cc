@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace springfit
 {
@@ -28,6 +30,13 @@ namespace springfit
     if (a.volume_stiffness)
       model.volume_stiffness =
         (1. - t) * *a.volume_stiffness + t * b.volume_stiffness.value();
+    std::map<std::pair<unsigned int, unsigned int>, double> couplings;
+    for (const auto &coupling : a.couplings)
+      couplings[{coupling.a, coupling.b}] += (1. - t) * coupling.stiffness;
+    for (const auto &coupling : b.couplings)
+      couplings[{coupling.a, coupling.b}] += t * coupling.stiffness;
+    for (const auto &[springs, stiffness] : couplings)
+      model.couplings.push_back({springs.first, springs.second, stiffness});
     return model;
   }
 } // namespace springfit

@@ -14,6 +14,7 @@
 #include <springfit/fit/golec.h>
 #include <springfit/fit/ipopt_engine.h>
 #include <springfit/fit/lloyd.h>
+#include <springfit/fit/several_states.h>
 #include <springfit/fit/spectral.h>
 #include <springfit/springs/negative.h>
 #include <springfit/springs/rigid_modes.h>
@@ -58,6 +59,8 @@ namespace springfit
               const Eigen::Index n_nonnegative,
               const FitOptions &)
     {
+      if (!problem.states.empty())
+        return {fit_over_states(problem, terms, n_nonnegative)};
       return {make_cell_model(
         terms,
         fit_frobenius(terms.gradients, problem.stiffness, n_nonnegative))};
@@ -378,13 +381,27 @@ namespace springfit
       return between(safe, wanted, 0.9 * inside);
     }
 
+    /** A cell with all its couplings that shall suit several states. */
+    Constants
+    coupled_over_states(const FitProblem &problem, const FitOptions &options)
+    {
+      const Eigen::Index n_nonnegative =
+        options.nonnegative ? problem.springs.size() : 0;
+      const CellModel found = fit_coupled_over_states(problem, n_nonnegative);
+      if (!options.nonnegative || is_definite(problem, found))
+        return {found};
+      // At rest it equals the reference.
+      return {furthest_definite(problem, fit_coupled_cell(problem), found)};
+    }
+
     Constants
     approximate(const FitProblem &problem,
                 const Method method,
                 const FitOptions &options)
     {
       if (options.enrichment == Enrichment::coupling)
-        return coupled(problem, method);
+        return problem.states.empty() ? coupled(problem, method)
+                                      : coupled_over_states(problem, options);
 
       const auto fit   = description(method).approximate;
       const auto terms = make_cell_terms(problem, options.enrichment);
@@ -401,6 +418,14 @@ namespace springfit
       if (safe.duality_gap)
         return safe;
       return {furthest_definite(problem, safe.model, found.model)};
+    }
+
+    std::optional<double>
+    states_residual(const FitProblem &problem, const CellModel &model)
+    {
+      if (problem.states.empty())
+        return {};
+      return residual_over_states(problem, model);
     }
 
     std::string
@@ -470,6 +495,16 @@ namespace springfit
 
 
   bool
+  has_states(const Method method,
+             const Enrichment enrichment,
+             const CellKind kind)
+  {
+    return method == Method::frobenius &&
+           (enrichment != Enrichment::coupling || is_simplex(kind));
+  }
+
+
+  bool
   is_published(const Method method)
   {
     return description(method).published != nullptr;
@@ -494,10 +529,17 @@ namespace springfit
       throw RunError("The stiffness of a cell is zero or not a number.",
                      "Check the material and the shape of the cell.");
 
+    for (const auto &state : problem.states)
+      if (!state.stiffness.allFinite())
+        throw RunError("its stiffness in one of the 'States' is not a number.",
+                       "Name smaller deformations.");
+
     if (!contains(cells_of(method), problem.kind) ||
-        !contains(enrichments_of(method), options.enrichment))
+        !contains(enrichments_of(method), options.enrichment) ||
+        (!problem.states.empty() &&
+         !has_states(method, options.enrichment, problem.kind)))
       throw std::logic_error("a fit is not for these cells or does not have "
-                             "this enrichment");
+                             "this enrichment or states");
 
     const Constants found = is_published(method)
                               ? description(method).published(problem, options)
@@ -512,7 +554,8 @@ namespace springfit
                            spectral_norm(E) / spectral_norm(R),
                            found.duality_gap,
                            smallest_eigenvalue(problem, found.model),
-                           n_negative(found.model.k)};
+                           n_negative(found.model.k),
+                           states_residual(problem, found.model)};
     if (!is_published(method) && options.nonnegative &&
         *result.smallest_eigenvalue < zero_eigenvalue)
       throw RunError(not_definite(*result.smallest_eigenvalue, options),

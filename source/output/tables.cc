@@ -33,14 +33,15 @@ namespace springfit
              const std::vector<FitRow> &rows)
   {
     CsvTable table("fit,cell,multiplicity,frobenius_residual,spectral_residual,"
-                   "duality_gap,n_negative,seconds,smallest_eigenvalue");
+                   "duality_gap,n_negative,seconds,smallest_eigenvalue,"
+                   "states_residual");
     for (const auto &row : rows)
       {
         table.new_row();
         table << row.fit << row.cell << row.multiplicity
               << row.frobenius_residual << row.spectral_residual
               << row.duality_gap << row.n_negative << row.seconds
-              << row.smallest_eigenvalue;
+              << row.smallest_eigenvalue << row.states_residual;
       }
     table.write(folder / "fit.csv");
   }

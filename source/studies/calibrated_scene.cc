@@ -58,7 +58,8 @@ namespace springfit
                         cell.result.duality_gap,
                         cell.result.n_negative,
                         cell.seconds,
-                        cell.result.smallest_eigenvalue});
+                        cell.result.smallest_eigenvalue,
+                        cell.result.states_residual});
       return rows;
     }
 
@@ -207,11 +208,13 @@ namespace springfit
     // Not before the mesh and the loads are known to be good.
     run_on_root(session.communicator(),
                 [&]() { remove_earlier_results(session.output_directory()); });
-    calibrated.networks = scene.calibration.calibrate(*calibrated.mesh,
-                                                      calibrated.element,
-                                                      calibrated.materials,
-                                                      responses,
-                                                      session);
+    calibrated.networks =
+      scene.calibration.calibrate(*calibrated.mesh,
+                                  calibrated.element,
+                                  calibrated.materials,
+                                  responses,
+                                  scene.statics.material_law(),
+                                  session);
     session.print(
       "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%    k min%  "
       "duality gap    time s");

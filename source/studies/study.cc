@@ -25,16 +25,23 @@ namespace springfit
                              "'responses' are those to the scene's loads, but "
                              "this study loads nothing.",
                              "Set 'Study = compare', or leave them out.");
+          scene.calibration.check_states(scene.statics.material_law());
           break;
         case StudyKind::compare:
           scene.loads.check();
           scene.statics.check();
+          scene.calibration.check_states(scene.statics.material_law());
           break;
         case StudyKind::sweep:
           if (scene.calibration.scope() == Scope::object)
             throw EntryError("Fit/Scope",
                              "a sweep fits a single cell.",
                              "Set it to cell, or 'Study' to calibrate or "
+                             "compare.");
+          if (scene.calibration.has_states())
+            throw EntryError("Fit/States",
+                             "a sweep tests a cell at rest.",
+                             "Leave it empty, or set 'Study' to calibrate or "
                              "compare.");
           scene.sweep_range.check(scene.material);
           break;

@@ -1,7 +1,9 @@
 #include <springfit/calibration/calibration.h>
 #include <springfit/calibration/distinct_cells.h>
+#include <springfit/reference/cell_energy.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/springs/gradients.h>
+#include <springfit/springs/network_terms.h>
 #include <springfit/springs/volume.h>
 
 #include <gtest/gtest.h>
@@ -28,7 +30,8 @@ namespace
   std::vector<CalibratedNetwork>
   calibrated(const Mesh<dim> &mesh,
              const MaterialTable &materials,
-             const std::string &entries = " set Methods = block, frobenius\n")
+             const std::string &entries = " set Methods = block, frobenius\n",
+             const MaterialLaw law      = MaterialLaw::linear)
   {
     const auto folder =
       std::filesystem::temp_directory_path() / "springfit_calibration_test";
@@ -39,6 +42,7 @@ namespace
                                            make_element<dim>(mesh.cell_kind),
                                            materials,
                                            {},
+                                           law,
                                            session);
     std::filesystem::remove_all(folder);
     return networks;
@@ -114,6 +118,52 @@ namespace
             K.block(dim * spring.nodes[v], dim * spring.nodes[w], dim, dim) +=
               spring.stiffness * g.segment(dim * v, dim) *
               g.segment(dim * w, dim).transpose();
+      }
+    return K;
+  }
+
+  /** The tangent of a network in a deformed state, node by node. */
+  template <int dim>
+  Eigen::MatrixXd
+  deformed_tangent(const SpringNetwork &network,
+                   const Eigen::MatrixXd &displacement)
+  {
+    Eigen::MatrixXd K =
+      Eigen::MatrixXd::Zero(displacement.size(), displacement.size());
+    for (unsigned int t = 0; t < n_terms(network); ++t)
+      {
+        const auto term = evaluate_term<dim>(network, t, displacement);
+        for (std::size_t a = 0; a < term->nodes.size(); ++a)
+          for (std::size_t b = 0; b < term->nodes.size(); ++b)
+            K.block(dim * term->nodes[a], dim * term->nodes[b], dim, dim) +=
+              term->hessian.block(dim * a, dim * b, dim, dim);
+      }
+    return K;
+  }
+
+  /** The tangent of the finite elements there. */
+  template <int dim>
+  Eigen::MatrixXd
+  deformed_stiffness(const Mesh<dim> &mesh,
+                     const MaterialTable &materials,
+                     const MaterialLaw law,
+                     const Eigen::MatrixXd &displacement)
+  {
+    const auto element = make_element<dim>(mesh.cell_kind);
+    CellEnergy<dim> energy(element, law);
+    Eigen::MatrixXd K =
+      Eigen::MatrixXd::Zero(displacement.size(), displacement.size());
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        Eigen::MatrixXd u(dim, cell->n_vertices());
+        for (const unsigned int v : cell->vertex_indices())
+          u.col(v) = displacement.col(cell->vertex_index(v));
+        const auto term =
+          energy.evaluate(cell, materials.at(cell->material_id()), u);
+        for (std::size_t a = 0; a < term->nodes.size(); ++a)
+          for (std::size_t b = 0; b < term->nodes.size(); ++b)
+            K.block(dim * term->nodes[a], dim * term->nodes[b], dim, dim) +=
+              term->hessian.block(dim * a, dim * b, dim, dim);
       }
     return K;
   }
@@ -333,4 +383,99 @@ TEST(Calibration, MassesSumToThoseOfTheBody)
   for (const double mass : networks.front().network.mass)
     total += mass;
   EXPECT_NEAR(total, expected, 1e-12 * expected);
+}
+
+TEST(DistinctCells, OfARegularBoxAreOneInDirectionsToo)
+{
+  oracle::Random random(6);
+  const auto regular = oracle::box_mesh<3>(3, 0.01, 0., random);
+  EXPECT_EQ(find_distinct_oriented_cells(*regular).distinct.size(), 1u);
+  const auto jittered = oracle::box_mesh<2>(5, 0.01, 0.2, random);
+  EXPECT_EQ(find_distinct_oriented_cells(*jittered).distinct.size(), 25u);
+}
+
+TEST(DistinctCells, OfRotatedCopiesAreAllInDirections)
+{
+  oracle::Random random(7);
+  const auto mesh =
+    build_mesh<3>(copies_of(oracle::random_cell(CellKind::tetrahedron, random),
+                            CellKind::tetrahedron,
+                            random));
+  EXPECT_EQ(find_distinct_cells(*mesh).distinct.size(), 2u);
+  EXPECT_EQ(find_distinct_oriented_cells(*mesh).distinct.size(), 24u);
+}
+
+TEST(Calibration, OverStatesSuitsThem)
+{
+  // Moved and scaled copies of one cell: the network's tangent in the state is
+  // nearer to that of the finite elements than without the state.
+  oracle::Random random(8);
+  const Eigen::MatrixXd points =
+    oracle::random_cell(CellKind::tetrahedron, random);
+  MeshDescription description;
+  description.cell_kind = CellKind::tetrahedron;
+  for (const double scale : {1., 0.5, 3.})
+    {
+      description.material_ids.push_back(0);
+      for (int v = 0; v < 4; ++v)
+        {
+          description.cells.push_back(description.vertices.size());
+          MeshPoint point{};
+          for (int d = 0; d < 3; ++d)
+            point[d] = scale * (points(d, v) + 10.);
+          description.vertices.push_back(point);
+        }
+    }
+  const auto mesh = build_mesh<3>(description);
+  Eigen::MatrixXd u(3, 12);
+  for (int v = 0; v < 12; ++v)
+    u.col(v) << 0.3 * mesh->triangulation.get_vertices()[v][0], 0., 0.;
+
+  for (const MaterialLaw law :
+       {MaterialLaw::st_venant_kirchhoff, MaterialLaw::neo_hookean})
+    {
+      const Eigen::MatrixXd R =
+        deformed_stiffness(*mesh, two_materials(), law, u);
+      for (const std::string enrichment : {"none", "volume", "coupling"})
+        {
+          const std::string entries = " set Methods = frobenius\n"
+                                      " set Enrichment = " +
+                                      enrichment + "\n";
+          const auto error = [&](const std::string &states) {
+            const auto networks =
+              calibrated(*mesh, two_materials(), entries + states, law);
+            EXPECT_EQ(networks[0].cells.size(), 1u);
+            EXPECT_EQ(networks[0].cells[0].multiplicity, 3u);
+            return (R - deformed_tangent<3>(networks[0].network, u)).norm() /
+                   R.norm();
+          };
+          EXPECT_LT(error(" set States = stretch x 1.3\n"), 0.9 * error(""));
+        }
+    }
+}
+
+TEST(Calibration, OverStatesOfStVenantKirchhoffIsExactWithCouplings)
+{
+  oracle::Random random(9);
+  const auto check = [&](const auto &mesh) {
+    const auto networks =
+      calibrated(*mesh,
+                 two_materials(),
+                 " set Methods = frobenius\n set Enrichment = coupling\n"
+                 " set Spring law = biquadratic\n"
+                 " set States = stretch x 1.3, stretch y 0.8, shear yx 0.3\n",
+                 MaterialLaw::st_venant_kirchhoff);
+    for (const auto &cell : networks[0].cells)
+      {
+        EXPECT_LT(cell.result.states_residual.value(), 1e-12);
+        EXPECT_LT(cell.result.frobenius_residual, 1e-12);
+      }
+  };
+  check(
+    build_mesh<3>(copies_of(oracle::random_cell(CellKind::tetrahedron, random),
+                            CellKind::tetrahedron,
+                            random)));
+  check(build_mesh<2>(copies_of(oracle::random_cell(CellKind::triangle, random),
+                                CellKind::triangle,
+                                random)));
 }

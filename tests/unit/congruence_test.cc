@@ -43,7 +43,7 @@ namespace
   {
     const auto a = canonical_shape(x, kind);
     const auto b = canonical_shape(y, kind);
-    EXPECT_EQ(a.key.distances, b.key.distances);
+    EXPECT_EQ(a.key.lengths, b.key.lengths);
     EXPECT_TRUE(a.key == b.key);
     EXPECT_EQ(std::hash<ShapeKey>()(a.key), std::hash<ShapeKey>()(b.key));
   }
@@ -84,13 +84,13 @@ namespace
       {
         std::set<std::vector<std::int64_t>> keys;
         const Eigen::MatrixXd x = oracle::random_cell(kind, random);
-        keys.insert(canonical_shape(x, kind).key.distances);
+        keys.insert(canonical_shape(x, kind).key.lengths);
         // One coordinate changed by a millionth.
         for (int entry = 0; entry < x.size(); ++entry)
           {
             Eigen::MatrixXd y = x;
             y(entry) += 1e-6;
-            keys.insert(canonical_shape(y, kind).key.distances);
+            keys.insert(canonical_shape(y, kind).key.lengths);
           }
         EXPECT_EQ(keys.size(), x.size() + 1u);
       }
@@ -157,7 +157,7 @@ namespace
             const double through_springs = (x.col(j) - x.col(i)).norm();
             EXPECT_DOUBLE_EQ(through_vertices, through_springs);
             EXPECT_NEAR(through_springs / shape.size,
-                        1e-9 * shape.key.distances[s],
+                        1e-9 * shape.key.lengths[s],
                         2e-9);
           }
       }

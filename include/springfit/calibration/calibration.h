@@ -1,6 +1,7 @@
 #ifndef springfit_calibration_calibration_h
 #define springfit_calibration_calibration_h
 
+#include <springfit/calibration/cell_fits.h>
 #include <springfit/calibration/distinct_cells.h>
 #include <springfit/calibration/object_scope.h>
 #include <springfit/core/session.h>
@@ -8,9 +9,12 @@
 #include <springfit/mesh/mesh.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
+#include <springfit/reference/material_law.h>
 #include <springfit/springs/network.h>
 
 #include <deal.II/base/parameter_acceptor.h>
+
+#include <Eigen/Core>
 
 #include <string>
 #include <vector>
@@ -58,15 +62,30 @@ namespace springfit
   public:
     Calibration();
 
-    /** @throws EntryError when a method asked for is not for these cells. */
+    /**
+     * @throws EntryError when a method asked for is not for these cells, or has
+     * no states on them.
+     */
     void
     check_cells(CellKind kind) const;
+
+    /** Whether fits shall suit other states than that at rest. */
+    bool
+    has_states() const;
+
+    /**
+     * @throws EntryError when there are states, and the material has the same
+     * tangent in all of them.
+     */
+    void
+    check_states(MaterialLaw law) const;
 
     /**
      * A network for each method and each enrichment asked for that the method
      * has. Warns where the assumptions of a published method do not hold.
      *
-     * @throws EntryError as check_cells() does.
+     * @param law of the finite elements in deformed states
+     * @throws EntryError as check_cells() and check_states() do.
      * @throws RunError when a fit fails or its certified gap exceeds the
      * tolerance, with the cell, its place and its shape quality.
      */
@@ -75,6 +94,7 @@ namespace springfit
               const Element<dim> &element,
               const MaterialTable &materials,
               const Eigen::MatrixXd &responses,
+              MaterialLaw law,
               Session &session) const;
 
     /** A row of the tables. */
@@ -110,6 +130,10 @@ namespace springfit
     std::vector<Field>
     fields() const;
 
+    /** Those that the fits tell apart. */
+    DistinctCells
+    distinct_cells(const Mesh<dim> &mesh) const;
+
     void
     warn_of_assumptions(const DistinctCells &cells,
                         const Mesh<dim> &mesh,
@@ -123,6 +147,7 @@ namespace springfit
                     const Mesh<dim> &mesh,
                     const Element<dim> &element,
                     const MaterialTable &materials,
+                    const ReferenceStates &states,
                     const Row &row,
                     CalibratedNetwork &network,
                     Session &session) const;
@@ -145,8 +170,10 @@ namespace springfit
     std::string law_word_         = "quadratic";
     std::string scope_word_       = "cell";
     Scope scope_                  = Scope::cell;
+    std::string states_text_;
     FitOptions options_;
     SpringLaw law_ = SpringLaw::quadratic;
+    std::vector<Eigen::MatrixXd> states_; // deformation gradients
   };
 } // namespace springfit
 

@@ -8,6 +8,10 @@
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
+#include <springfit/reference/material_law.h>
+#include <springfit/springs/spring_law.h>
+
+#include <Eigen/Core>
 
 #include <string>
 #include <vector>
@@ -39,6 +43,20 @@ namespace springfit
     const CellMaterial &material);
 
 
+  /** The deformed states that fits shall suit. */
+  struct ReferenceStates
+  {
+    /** F of homogeneous deformations, dim x dim. */
+    std::vector<Eigen::MatrixXd> deformation_gradients;
+
+    /** Of the finite elements. */
+    MaterialLaw material_law;
+
+    /** Of the springs. */
+    SpringLaw spring_law;
+  };
+
+
   struct TimedFit
   {
     FitResult result;
@@ -63,6 +81,7 @@ namespace springfit
                      const MaterialTable &materials,
                      Method method,
                      const FitOptions &options,
+                     const ReferenceStates &states,
                      const std::string &name,
                      Session &session);
 } // namespace springfit

@@ -12,15 +12,18 @@
 namespace springfit
 {
   /**
-   * What cells have in common that are rotated, mirrored, renumbered or
-   * uniformly scaled copies of each other: to be compared and hashed.
+   * What cells have in common that are copies of each other: to be compared and
+   * hashed.
    */
   struct ShapeKey
   {
     CellKind kind;
 
-    /** Distances of the vertices relative to the largest one, as integers. */
-    std::vector<std::int64_t> distances;
+    /**
+     * Distances of the vertices, or their coordinates, relative to the largest
+     * distance, as integers.
+     */
+    std::vector<std::int64_t> lengths;
   };
 
   bool
@@ -49,7 +52,8 @@ namespace springfit
   };
 
   /**
-   * The canonical form of a cell. The distances between all vertices determine
+   * The canonical form of a cell up to rotations, mirror images, renumberings
+   * and uniform scaling. The distances between all vertices determine
    * it up to motions and mirror images; of their sequences under the
    * renumberings in symmetries() the lexicographically smallest one is taken,
    * rounded to 1e-9 of the largest distance.
@@ -61,6 +65,16 @@ namespace springfit
    */
   CanonicalShape
   canonical_shape(const Eigen::MatrixXd &points, CellKind kind);
+
+  /**
+   * The same where directions count: cells have one key if they are moved and
+   * uniformly scaled copies of each other, vertex by vertex. The permutation is
+   * the identity.
+   *
+   * @param points dim x n_nodes, m
+   */
+  CanonicalShape
+  oriented_shape(const Eigen::MatrixXd &points, CellKind kind);
 
   /**
    * Spring s = (a, b) of the canonical numbering is spring result[s] of the

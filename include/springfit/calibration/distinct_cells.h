@@ -45,6 +45,14 @@ namespace springfit
   DistinctCells
   find_distinct_cells(const Mesh<dim> &mesh);
 
+  /**
+   * The same of constants that depend on the cell's directions: only moved and
+   * uniformly scaled copies share them.
+   */
+  template <int dim>
+  DistinctCells
+  find_distinct_oriented_cells(const Mesh<dim> &mesh);
+
   /** Each cell as a distinct one, for what does not depend on it alone. */
   template <int dim>
   DistinctCells

@@ -32,9 +32,7 @@ namespace springfit
   bool
   all_finite(const CellModel &model);
 
-  /**
-   * (1 - t) a + t b, of two models with the same springs, angles and volume and
-   * without couplings.
+  /** (1 - t) a + t b, of two models with the same springs, angles and volume.
    */
   CellModel
   between(const CellModel &a, const CellModel &b, double t);

@@ -61,6 +61,10 @@ namespace springfit
   const std::vector<Enrichment> &
   enrichments_of(Method method);
 
+  /** Whether a fit can suit deformed states of a cell, see several_states.h. */
+  bool
+  has_states(Method method, Enrichment enrichment, CellKind kind);
+
   /**
    * Whether a fit has formulas of its own, to be taken as they are: options do
    * not change them.
@@ -128,11 +132,15 @@ namespace springfit
 
     /** Springs; couplings, angles and volume springs do not count. */
     unsigned int n_negative;
+
+    /** Of a fit over several states, see residual_over_states(). */
+    std::optional<double> states_residual = {};
   };
 
   /**
    * Fit the springs of one cell, which must be of a kind in cells_of() and with
-   * an enrichment in enrichments_of() the method. A large duality gap is
+   * an enrichment in enrichments_of() the method, and without states unless
+   * has_states(). A large duality gap is
    * reported, not thrown.
    *
    * @throws RunError when R is zero or not finite, when the engine breaks

@@ -4,6 +4,7 @@
 #include <springfit/fit/cell_material.h>
 #include <springfit/fit/cell_model.h>
 #include <springfit/springs/cell_topology.h>
+#include <springfit/springs/spring_law.h>
 
 #include <Eigen/Core>
 
@@ -11,6 +12,16 @@
 
 namespace springfit
 {
+  /** A deformed cell. */
+  struct DeformedState
+  {
+    /** dim x n_nodes, m */
+    Eigen::MatrixXd displacement;
+
+    /** The reference's tangent there, (dim * n_nodes)^2, N/m */
+    Eigen::MatrixXd stiffness;
+  };
+
   /**
    * What a fit is given: find k such that B diag(k) B^T resembles R. The
    * published formulas do not look at R but at the shape and the material.
@@ -31,6 +42,12 @@ namespace springfit
     CellKind kind;
 
     IsotropicMaterial material;
+
+    /** Those that a fit shall suit besides the state at rest. */
+    std::vector<DeformedState> states = {};
+
+    /** That of the springs in these states. */
+    SpringLaw law = SpringLaw::quadratic;
   };
 
   /** The problem of a cell whose vertices are fully connected. */

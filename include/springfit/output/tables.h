@@ -44,6 +44,9 @@ namespace springfit
 
     /** Of the cell's forces at rest on its deformations, relative to R's. */
     std::optional<double> smallest_eigenvalue;
+
+    /** Of a fit over several states: of all of them. */
+    std::optional<double> states_residual;
   };
 
   /** comparison.csv */
