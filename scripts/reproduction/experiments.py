@@ -83,6 +83,12 @@ SWEEPS = {  # the scene and the methods of one cell
 }
 
 
+def is_of_paper(row):
+    """Whether a row of a table is of springs as the paper has them: its fits with
+    enrichments are those of scripts/enrichments."""
+    return row["fit"] not in SPRINGS_ONLY or row["enrichment"] == "none"
+
+
 def scene_of(object_, cells):
     return f"parameters/paper/{object_.replace(' ', '_')}_{cells}.prm"
 

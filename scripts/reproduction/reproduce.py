@@ -12,7 +12,7 @@ import time
 import page
 import pictures
 import tables
-from experiments import OBJECTS, SWEEPS, all_experiments
+from experiments import OBJECTS, SWEEPS, all_experiments, is_of_paper
 from runs import comparison_rows, read_csv, run_all
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
@@ -127,12 +127,12 @@ def main():
     seconds = benchmark(folder, arguments.reuse)
 
     remarks = read_csv(HERE / "remarks.csv")
-    rows = comparison_rows(experiments, runs)
+    rows = list(filter(is_of_paper, comparison_rows(experiments, runs)))
     of_table = {table: tables.lines_of(table, rows, remarks) for table in tables.TABLES}
     lines = [line for table in of_table for line in of_table[table]]
     time_lines = times(seconds, remarks)
-    sweeps = {cells: read_csv(runs / f"sweep_{cells}" / "sweep.csv") for cells in SWEEPS
-              if (runs / f"sweep_{cells}" / "sweep.csv").exists()}
+    sweeps = {cells: list(filter(is_of_paper, read_csv(runs / f"sweep_{cells}" / "sweep.csv")))
+              for cells in SWEEPS if (runs / f"sweep_{cells}" / "sweep.csv").exists()}
     tables.write_reproduction(folder / "reproduction.csv", lines,
                               time_rows(time_lines) + sweep_rows(sweeps))
 
