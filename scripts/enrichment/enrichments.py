@@ -12,6 +12,7 @@ import sys
 import time
 
 import curves
+import large_deformation
 import page
 import paper_objects
 from runs import comparison_rows, read_csv, run_all
@@ -263,7 +264,9 @@ def main():
             "cost": cost_table(shortest), "errors": errors(lines, experiments, pictures),
             "scopes": scope_tables(lines, experiments),
             "paper": paper_objects.table(experiments, runs),
-            "paper_commands": paper_objects.commands(experiments), "sweep": sweep_table,
+            "paper_commands": paper_objects.commands(experiments),
+            "large": large_deformation.table(experiments, runs),
+            "large_example": large_deformation.example(experiments), "sweep": sweep_table,
             "curves": sweep_pictures, "problems": page.problems(experiments)}
     text = string.Template((HERE / "enrichments.md").read_text()).substitute(fill)
     (folder / "enrichments.md").write_text(re.sub(r"\n{3,}", "\n\n", text))
