@@ -39,12 +39,8 @@ namespace
     Session session(MPI_COMM_SELF, folder);
     const auto calibration =
       oracle::make_step<Calibration<dim>>("subsection Fit\n" + entries + "end");
-    auto networks = calibration->calibrate(mesh,
-                                           make_element<dim>(mesh.cell_kind),
-                                           materials,
-                                           {},
-                                           law,
-                                           session);
+    auto networks = calibration->calibrate(
+      mesh, make_element<dim>(mesh.cell_kind), materials, {}, law, session);
     std::filesystem::remove_all(folder);
     return networks;
   }
