@@ -12,7 +12,9 @@ import sys
 import time
 
 import curves
+import large_deformation
 import page
+import paper_objects
 from runs import comparison_rows, read_csv, run_all
 from scenes import (ENRICHMENTS, FITS, JITTER, OBJECTS, POISSON, SCOPES, SETTINGS,
                     SWEPT_ENRICHMENTS, all_runs, cases_of, command)
@@ -105,7 +107,7 @@ def errors_of(line, nu):
     found = line.errors.get(nu)
     if not found:
         return "-"
-    values = [found[case] for case in cases_of(line.object)]
+    values = [found[case] for case in cases_of(line.cells)]
     if max(values) < 1e-6:
         return "exact"
     return " / ".join(number(value) for value in values)
@@ -260,7 +262,11 @@ def main():
     sweep_table, sweep_pictures = sweeps(experiments, runs, pictures)
     fill = {"origin": page.origin(TOP, PROGRAM), "summary": summary(lines),
             "cost": cost_table(shortest), "errors": errors(lines, experiments, pictures),
-            "scopes": scope_tables(lines, experiments), "sweep": sweep_table,
+            "scopes": scope_tables(lines, experiments),
+            "paper": paper_objects.table(experiments, runs),
+            "paper_commands": paper_objects.commands(experiments),
+            "large": large_deformation.table(experiments, runs),
+            "large_example": large_deformation.example(experiments), "sweep": sweep_table,
             "curves": sweep_pictures, "problems": page.problems(experiments)}
     text = string.Template((HERE / "enrichments.md").read_text()).substitute(fill)
     (folder / "enrichments.md").write_text(re.sub(r"\n{3,}", "\n\n", text))

@@ -1,4 +1,5 @@
-"""What scripts/enrichments runs: objects with all enrichments, and single cells."""
+"""What scripts/enrichments runs: objects with all enrichments, fits of whole objects, large
+deformations, and single cells."""
 import dataclasses
 
 from experiments import Experiment, scene_of
@@ -21,8 +22,27 @@ SCOPES = {
 }
 COARSER = {("cube", "hexahedra"): ("Geometry/Cell size=0.005",)}
 
+# The same on the objects of the paper, of tetrahedra above all. Of the specimen of
+# hexahedra the equations of compliance are too many.
+PAPER_OBJECTS = (("cylinder", "tetrahedra"), ("hollow cylinder", "tetrahedra"),
+                 ("cube", "tetrahedra"), ("specimen", "tetrahedra"),
+                 ("specimen", "quadrilaterals"), ("specimen", "hexahedra"))
+PAPER_SCOPES = ("cell", "object")
+TOO_LARGE = {("specimen", "hexahedra"): ("compliance",)}
+
+# Pulled and sheared by 30 %: fits at rest, and over the state that the pulled object is in
+# as well. (Of a neo-Hookean material biquadratic springs so fitted buckle when sheared.)
+LARGE = (  # material law, spring law, loads
+    ("st venant-kirchhoff", "quadratic", ("tension", "shear")),
+    ("st venant-kirchhoff", "biquadratic", ("tension", "shear")),
+    ("neo-hookean", "quadratic", ("tension", "shear")),
+    ("neo-hookean", "biquadratic", ("tension",)),
+)
+PULLED = {2: "stretch x 1.3 y 0.9", 3: "stretch x 1.3 y 0.9 z 0.9"}
+
 # Figure 9: what a regular cell delivers, over nu_in and along an axis. The edges of
 # a regular tetrahedron are face diagonals of a cube.
+SIMPLICES = ("triangles", "tetrahedra")
 TWO_CELLS = ("triangles", "quadrilaterals")
 SETTINGS = {  # picture: its panels (title, scene, options)
     f"plane_{state}": [(f"{cells}, plane {state}", "sweep_quadrilateral",
@@ -44,11 +64,11 @@ class Run(Experiment):
     mesh: str = ""          # a word of JITTER
     nu: float = 0.
     scope: str = "cell"
-    title: str = ""         # of a sweep
+    title: str = ""         # of a sweep or a row
 
 
-def cases_of(object_):
-    return ("tension", "shear") if object_ == "square" else ("tension", "shear", "torsion")
+def cases_of(cells):
+    return ("tension", "shear") if cells in TWO_CELLS else ("tension", "shear", "torsion")
 
 
 def fit_options(methods, enrichments):
@@ -61,7 +81,7 @@ def _objects(role, scope, of_fit, coarser=()):
         for mesh, jitter in JITTER.items():
             for nu in POISSON:
                 name = f"{role}_{scope}_{object_}_{cells}_{mesh}_{nu:.2f}"
-                options = of_fit + (f"Loads/Cases={', '.join(cases_of(object_))}",)
+                options = of_fit + (f"Loads/Cases={', '.join(cases_of(cells))}",)
                 options += dict(coarser).get((object_, cells), ())
                 options += (f"Geometry/Jitter={jitter:g}", f"Material/Poisson's ratio={nu:g}")
                 yield Run(name.replace(", ", "_").replace(" ", "_"), scene_of(object_, cells),
@@ -69,10 +89,46 @@ def _objects(role, scope, of_fit, coarser=()):
                           scope=scope)
 
 
+def _paper_objects():
+    """A run for each fit: one may fail, and each has its time."""
+    for object_, cells in PAPER_OBJECTS:
+        for scope in PAPER_SCOPES:
+            methods, more = SCOPES[scope]
+            for method in methods:
+                if method in TOO_LARGE.get((object_, cells), ()):
+                    continue
+                yield Run(f"paper_{scope}_{method}_{object_}_{cells}".replace(" ", "_"),
+                          scene_of(object_, cells), object_, cells, "paper", True,
+                          options=fit_options((method,), ("volume",)) + more + (
+                              f"Loads/Cases={', '.join(cases_of(cells))}",
+                              "Material/Poisson's ratio=0.3"),
+                          nu=0.3, scope=scope, title=f"{method} + volume")
+
+
+def _large_deformations():
+    for object_, cells in OBJECTS:
+        dim = 2 if cells in TWO_CELLS else 3
+        for law, spring_law, cases in LARGE:
+            for fitted, states in (("at rest", ""), ("stretched too", PULLED[dim])):
+                # Of other cells no tangents tell all couplings apart.
+                coupling = ("coupling",) if not states or cells in SIMPLICES else ()
+                options = fit_options(("frobenius",), ("none", "volume") + coupling)
+                options += COARSER.get((object_, cells), ())
+                options += (f"Fit/Spring law={spring_law}", f"Fit/States={states}",
+                            f"Loads/Cases={', '.join(cases)}", "Loads/Deformation=0.3",
+                            "Response/Kinematics=nonlinear", f"Response/Material law={law}")
+                title = f"{spring_law}, {fitted}"
+                name = f"large_{cells}_{law}_{title}".replace(", ", "_").replace(" ", "_")
+                yield Run(name, scene_of(object_, cells), object_, cells, "large", True,
+                          options=options, law=law, nu=0.3, title=title)
+
+
 def all_runs():
     runs = list(_objects("enrichments", "cell", fit_options(FITS, ENRICHMENTS)))
     for scope, (methods, more) in SCOPES.items():
         runs += _objects("scopes", scope, fit_options(methods, ("volume",)) + more, COARSER)
+    runs += _paper_objects()
+    runs += _large_deformations()
     for picture, panels in SETTINGS.items():
         for number, (title, scene, options) in enumerate(panels):
             options = fit_options(("consistent",), SWEPT_ENRICHMENTS) + options + (

@@ -145,9 +145,9 @@ namespace springfit
                     "linear finite elements to the loads of the scene.");
     add_parameter("Nonnegative",
                   options_.nonnegative,
-                  "Whether every spring and angle of a cell must have a "
-                  "stiffness >= 0 (no unit). Volumes and couplings are free as "
-                  "long as the cell resists every deformation.");
+                  "Whether every spring must have a stiffness >= 0 (no unit). "
+                  "Volumes, angles and couplings are free as long as the "
+                  "cell releases energy in no deformation.");
     add_parameter("States",
                   states_text_,
                   "Homogeneous deformations in which the tangent of a cell "

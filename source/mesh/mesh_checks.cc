@@ -305,7 +305,9 @@ namespace springfit
     refuse(mesh,
            orientations,
            Orientation::flat,
-           "has no " + measure,
+           is_simplex(mesh.cell_kind)
+             ? "has no " + measure
+             : "is flat at one place at least, where its Jacobian is zero",
            "Move its vertices apart, or mesh the object anew.");
     refuse(mesh,
            orientations,

@@ -6,6 +6,7 @@
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
+#include <springfit/springs/spring_law.h>
 #include <springfit/studies/calibrated_scene.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -226,6 +227,9 @@ namespace springfit
              fit_rows<dim>(network, calibrated.mesh->cell_kind))
           rows.push_back(row);
       }
+    session.print(
+      "Spring law: " +
+      word_of(spring_law_words(), calibrated.networks.front().network.law));
     report_homogenised(scene, calibrated, session);
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -38,12 +39,8 @@ namespace
     Session session(MPI_COMM_SELF, folder);
     const auto calibration =
       oracle::make_step<Calibration<dim>>("subsection Fit\n" + entries + "end");
-    auto networks = calibration->calibrate(mesh,
-                                           make_element<dim>(mesh.cell_kind),
-                                           materials,
-                                           {},
-                                           law,
-                                           session);
+    auto networks = calibration->calibrate(
+      mesh, make_element<dim>(mesh.cell_kind), materials, {}, law, session);
     std::filesystem::remove_all(folder);
     return networks;
   }
@@ -101,6 +98,23 @@ namespace
         K += term + term.transpose();
       }
     const int dim = network.nodes.rows();
+    for (const auto &[nodes, stiffness, rest_angle] : network.angles)
+      {
+        const auto [a, m, c]    = nodes;
+        const Eigen::VectorXd u = network.nodes.col(a) - network.nodes.col(m);
+        const Eigen::VectorXd v = network.nodes.col(c) - network.nodes.col(m);
+        const double cosine     = u.normalized().dot(v.normalized());
+        const double sine       = std::sqrt(1. - cosine * cosine);
+        EXPECT_NEAR(std::acos(cosine), rest_angle, 1e-12);
+        Eigen::VectorXd g = Eigen::VectorXd::Zero(network.nodes.size());
+        g.segment(dim * a, dim) +=
+          (cosine * u.normalized() - v.normalized()) / (sine * u.norm());
+        g.segment(dim * c, dim) +=
+          (cosine * v.normalized() - u.normalized()) / (sine * v.norm());
+        g.segment(dim * m, dim) =
+          -g.segment(dim * a, dim) - g.segment(dim * c, dim);
+        K += stiffness * g * g.transpose();
+      }
     for (const auto &spring : network.volumes)
       {
         const int n = spring.nodes.size();
@@ -367,6 +381,32 @@ TEST(Calibration, OfCongruentCellsWithCouplingsAndVolumesToo)
       EXPECT_TRUE(networks[1].network.couplings.empty());
       expect_the_cells_own_fits(*plane, two_materials(), networks);
     }
+}
+
+TEST(Calibration, OfCongruentCellsWithAnglesToo)
+{
+  oracle::Random random(6);
+  const std::string entries =
+    " set Methods = frobenius, consistent\n set Enrichment = angles\n";
+  for (const CellKind kind : {CellKind::triangle, CellKind::quadrilateral})
+    {
+      const auto mesh = build_mesh<2>(
+        copies_of(oracle::random_cell(kind, random), kind, random));
+      const auto networks = calibrated(*mesh, two_materials(), entries);
+      ASSERT_EQ(networks.size(), 2u);
+      EXPECT_EQ(networks[0].network.angles.size(),
+                mesh->triangulation.n_active_cells() * n_vertices(kind));
+      expect_the_cells_own_fits(*mesh, two_materials(), networks);
+    }
+
+  const CellKind kind = CellKind::tetrahedron;
+  const auto mesh =
+    build_mesh<3>(copies_of(oracle::random_cell(kind, random), kind, random));
+  const auto networks = calibrated(*mesh, two_materials(), entries);
+  ASSERT_EQ(networks.size(), 2u);
+  EXPECT_EQ(networks[0].network.angles.size(),
+            mesh->triangulation.n_active_cells() * 12);
+  expect_the_cells_own_fits(*mesh, two_materials(), networks);
 }
 
 TEST(Calibration, MassesSumToThoseOfTheBody)

@@ -2,8 +2,9 @@
 // prints a row of figures for each and fails when any cell misses its gap.
 //
 //   certified_gaps [cells per kind = 1000] [engine = ipopt] [kind = all]
+//                  [enrichment = none]
 //
-// as in "certified_gaps 1000 barrier hexahedra".
+// as in "certified_gaps 1000 barrier hexahedra volume".
 
 #include <springfit/fit/fit.h>
 
@@ -63,8 +64,10 @@ main(int argc, char *argv[])
     options.engine = value_of(engine_words(), argv[2], "engine");
 
   std::vector<CellKind> kinds = oracle::all_kinds;
-  if (argc > 3)
+  if (argc > 3 && std::string(argv[3]) != "all")
     kinds = {value_of(cell_kind_words(), argv[3], "kind")};
+  if (argc > 4)
+    options.enrichment = value_of(enrichment_words(), argv[4], "enrichment");
 
   unsigned int n_failures = 0;
   std::printf("%-14s %-7s %6s %10s %10s %13s %9s %13s\n",

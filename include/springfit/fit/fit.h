@@ -88,7 +88,7 @@ namespace springfit
     Enrichment enrichment = Enrichment::none;
 
     /**
-     * Keep every spring and angle from being negative. Volume springs and
+     * Keep every spring from being negative. Volume springs, angles and
      * couplings are free as long as the cell stays positive semidefinite.
      */
     bool nonnegative = false;
