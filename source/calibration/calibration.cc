@@ -72,6 +72,15 @@ namespace springfit
       return counts;
     }
 
+    std::vector<CellModel>
+    models_of(const std::vector<TimedFit> &fits)
+    {
+      std::vector<CellModel> models;
+      for (const auto &fit : fits)
+        models.push_back(fit.result);
+      return models;
+    }
+
     /** Of springs alone the loaded object is checked as a whole. */
     void
     warn_of_indefinite_cells(const std::vector<TimedFit> &fits,
@@ -101,11 +110,11 @@ namespace springfit
                   methods_word_,
                   "Fits, each a row of the tables: " +
                     join(words_of(method_words())) +
-                    " (no unit). The first four approximate the cell's "
+                    " (no unit). The first five approximate the cell's "
                     "stiffness: block and frobenius in the Frobenius norm, "
                     "spectral in the 2-norm, consistent what it does under "
-                    "constant strain first. The others are published "
-                    "formulas.");
+                    "constant strain first, compliance its displacements "
+                    "under loads. The others are published formulas.");
     add_parameter("Enrichment",
                   enrichments_word_,
                   "What a cell has besides springs between all pairs of its "
@@ -446,16 +455,13 @@ namespace springfit
                                          states,
                                          network.name,
                                          session);
-    std::vector<CellModel> models;
     for (unsigned int c = 0; c < fits.size(); ++c)
-      {
-        models.push_back(fits[c].result);
-        network.cells.push_back({cells.distinct[c].representative,
-                                 cells.distinct[c].multiplicity,
-                                 fits[c].result,
-                                 fits[c].seconds});
-      }
-    network.network = assemble_network(mesh, cells, models, element, materials);
+      network.cells.push_back({cells.distinct[c].representative,
+                               cells.distinct[c].multiplicity,
+                               fits[c].result,
+                               fits[c].seconds});
+    network.network =
+      assemble_network(mesh, cells, models_of(fits), element, materials);
 
     if (row.enrichment != Enrichment::none)
       warn_of_indefinite_cells(fits, network.name, session);
@@ -489,10 +495,17 @@ namespace springfit
     Eigen::VectorXd prior;
     if (row.method == Method::consistent)
       {
-        CalibratedNetwork by_cells;
-        calibrate_cells(
-          cells, mesh, element, materials, {}, row, by_cells, session);
-        prior = constants_of(by_cells.network);
+        const auto fits = fit_distinct_cells<dim>(cells,
+                                                  mesh,
+                                                  element,
+                                                  materials,
+                                                  row.method,
+                                                  options(row),
+                                                  {},
+                                                  network.name,
+                                                  session);
+        prior           = constants_of(
+          assemble_network(mesh, cells, models_of(fits), element, materials));
       }
 
     // The same on every rank: a factorisation is not worth distributing.
@@ -528,8 +541,10 @@ namespace springfit
       session.warn("The springs of the fit '" + network.name +
                    "' are unstable where nothing holds them: " +
                    std::to_string(found.n_unstable) +
-                   " of their deformations release energy. Set 'Nonnegative = "
-                   "true' in section Fit.");
+                   " of their deformations release energy." +
+                   (options_.nonnegative
+                      ? ""
+                      : " Set 'Nonnegative = true' in section Fit."));
   }
 
   template class Calibration<2>;

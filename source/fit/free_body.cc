@@ -8,6 +8,9 @@ namespace springfit
 {
   namespace
   {
+    // Relative to the largest one, a pivot below it is zero.
+    constexpr double rounding = 1e-12;
+
     /**
      * All degrees of freedom but those whose fixing holds a body best: pivots
      * of the rigid motions.
@@ -41,24 +44,32 @@ namespace springfit
            ++it)
         if (number[it.row()] >= 0 && number[it.col()] >= 0)
           entries.emplace_back(number[it.row()], number[it.col()], it.value());
-    Eigen::SparseMatrix<double> held(free_.size(), free_.size());
-    held.setFromTriplets(entries.begin(), entries.end());
-    factors_.compute(held);
-    if (factors_.info() != Eigen::Success)
-      throw RunError("The stiffness of the object is singular beyond its rigid "
-                     "motions.",
-                     "Its parts must be joined so that none can move freely.");
+    held_.resize(free_.size(), free_.size());
+    held_.setFromTriplets(entries.begin(), entries.end());
+    factors_.compute(held_);
   }
 
   unsigned int
   FreeBody::n_unstable() const
   {
-    return (factors_.vectorD().array() <= 0.).count();
+    // Lifted off zero, lest a mechanism's pivot be a rounding error of either
+    // sign.
+    Eigen::SparseMatrix<double> lifted = held_;
+    lifted.diagonal().array() += rounding * held_.diagonal().maxCoeff();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(lifted);
+    return (factors.vectorD().array() < 0.).count();
   }
 
   Eigen::MatrixXd
   FreeBody::respond(const Eigen::MatrixXd &forces) const
   {
+    const Eigen::ArrayXd pivots = factors_.vectorD().array().abs();
+    if (factors_.info() != Eigen::Success ||
+        !(pivots.minCoeff() > rounding * pivots.maxCoeff()))
+      throw RunError("The stiffness of the object is singular beyond its rigid "
+                     "motions.",
+                     "Its parts must be joined so that none can move freely.");
+
     const Eigen::MatrixXd in_equilibrium = deformation(forces);
     const Eigen::MatrixXd of_free        = in_equilibrium(free_, Eigen::all);
     Eigen::MatrixXd displacements =

@@ -444,4 +444,28 @@ namespace
                   n_negative);
       }
   }
+
+  /** Two cells with one node in common, about which they turn. */
+  TEST(FreeBody, HasNoResponseOfAHinge)
+  {
+    Random random(320);
+    for (const CellKind kind : {CellKind::triangle, CellKind::tetrahedron})
+      for (int repetition = 0; repetition < 20; ++repetition)
+        {
+          const int dim           = dimension(kind);
+          const Eigen::MatrixXd a = oracle::random_cell(kind, random);
+          const Eigen::MatrixXd b = oracle::random_cell(kind, random);
+          const unsigned int n    = a.cols();
+          Eigen::MatrixXd nodes(dim, 2 * n - 1);
+          nodes << a, (-b.rightCols(n - 1)).colwise() + (a.col(0) + b.col(0));
+          Grid grid{nodes, {{}, {0}}, kind};
+          for (unsigned int v = 0; v < n; ++v)
+            grid.cells[0].push_back(v);
+          for (unsigned int v = n; v < 2 * n - 1; ++v)
+            grid.cells[1].push_back(v);
+          const FreeBody body(assembled_stiffness(grid, 0.3), nodes);
+          EXPECT_EQ(body.n_unstable(), 0u);
+          EXPECT_THROW(body.respond(random.matrix(nodes.size(), 1)), RunError);
+        }
+  }
 } // namespace

@@ -21,15 +21,14 @@ namespace springfit
     /**
      * @param stiffness n x n, N/m, symmetric, zero on rigid motions
      * @param nodes dim x n_nodes, m; see rigid_body_modes()
-     *
-     * @throws RunError when a pivot vanishes: the body has a mechanism.
      */
     FreeBody(const Eigen::SparseMatrix<double> &stiffness,
              const Eigen::MatrixXd &nodes);
 
     /**
-     * The number of independent deformations that release energy, or cost
-     * none, by the signs of L D L^T (Sylvester's law of inertia).
+     * The number of independent deformations that release energy, by the
+     * signs of L D L^T (Sylvester's law of inertia). Mechanisms, which cost
+     * none, do not count.
      */
     unsigned int
     n_unstable() const;
@@ -38,6 +37,8 @@ namespace springfit
      * The displacements without rigid motions (m) under the part of
      * @p forces (n x n_cases, N) that is in equilibrium: the Moore-Penrose
      * inverse of the stiffness.
+     *
+     * @throws RunError when a pivot vanishes: the body has a mechanism.
      */
     Eigen::MatrixXd
     respond(const Eigen::MatrixXd &forces) const;
@@ -49,6 +50,7 @@ namespace springfit
 
     Eigen::MatrixXd rigid_;
     std::vector<Eigen::Index> free_;
+    Eigen::SparseMatrix<double> held_; // of the free ones
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
   };
 } // namespace springfit
