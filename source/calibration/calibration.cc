@@ -146,12 +146,13 @@ namespace springfit
                     "the number of springs.");
     add_parameter("Fields",
                   fields_word_,
-                  "The displacements whose nodal forces the consistent fit of "
-                  "the whole object reproduces: " +
+                  "The loads under which the consistent fit of the whole "
+                  "object gets the displacements right: " +
                     join(words_of(field_words())) +
-                    " (no unit). affine: the constant strains; quadratic: the "
-                    "products of two coordinates; responses: those of the "
-                    "linear finite elements to the loads of the scene.");
+                    " (no unit). affine, quadratic: forces of all nodes that "
+                    "vary so with their place, whatever the scene, on the "
+                    "object that nothing holds; responses: the loads of the "
+                    "scene.");
     add_parameter("Nonnegative",
                   options_.nonnegative,
                   "Whether every spring must have a stiffness >= 0 (no unit). "
@@ -516,8 +517,7 @@ namespace springfit
         make_object_problem<dim>(unit_network,
                                  object_stiffness(mesh, element, materials),
                                  options_.nonnegative);
-      const auto all_fields =
-        displacement_fields(fields(), unit_network.nodes, responses);
+      const auto all_fields = displacement_fields(fields(), problem, responses);
       found = fit_object(problem, row.method, all_fields, prior);
       if (found.n_unstable > 0 && options_.nonnegative &&
           row.enrichment != Enrichment::coupling)

@@ -1,3 +1,5 @@
+#include <springfit/fit/bounded_least_squares.h>
+#include <springfit/fit/free_body.h>
 #include <springfit/fit/object_fit.h>
 #include <springfit/fit/quadratic_program.h>
 
@@ -52,6 +54,68 @@ namespace springfit
     private:
       SparseMatrix pattern_;
     };
+
+    Eigen::VectorXd
+    flat(const Eigen::MatrixXd &columns)
+    {
+      return Eigen::Map<const Eigen::VectorXd>(columns.data(), columns.size());
+    }
+
+    Eigen::MatrixXd
+    as_columns(const Eigen::VectorXd &flat, const Eigen::Index n_rows)
+    {
+      return Eigen::Map<const Eigen::MatrixXd>(flat.data(),
+                                               n_rows,
+                                               flat.size() / n_rows);
+    }
+
+    /**
+     * The fields without rigid motions, those that are none, so that the
+     * squares of all norms are equal and add up to one.
+     */
+    Eigen::MatrixXd
+    unit_deformations(const FreeBody &body, const Eigen::MatrixXd &fields)
+    {
+      Eigen::MatrixXd u = body.deformation(fields);
+      Eigen::Index n    = 0;
+      for (Eigen::Index f = 0; f < u.cols(); ++f)
+        if (u.col(f).norm() > 1e-10 * fields.col(f).norm())
+          u.col(n++) = u.col(f).normalized();
+      return u.leftCols(n) / std::sqrt(n);
+    }
+
+    /** T_m u as column m, one field u below the other. */
+    SparseMatrix
+    forces_of_terms(const ObjectProblem &problem, const Eigen::MatrixXd &fields)
+    {
+      Triplets entries;
+      for (Eigen::Index f = 0; f < fields.cols(); ++f)
+        for (std::size_t m = 0; m < problem.terms.size(); ++m)
+          for (const auto &[row, column, value] :
+               tangent_entries(problem.terms[m]))
+            entries.emplace_back(f * fields.rows() + row,
+                                 m,
+                                 value * fields(column, f));
+      SparseMatrix forces(fields.size(), problem.terms.size());
+      forces.setFromTriplets(entries.begin(), entries.end());
+      return forces;
+    }
+
+    /** s_m, see fit_displacements(). */
+    Eigen::VectorXd
+    typical_constants(const ObjectProblem &problem)
+    {
+      const Eigen::Index dim = problem.nodes.rows();
+      const Eigen::VectorXd of_nodes =
+        as_columns(problem.stiffness.diagonal(), dim).colwise().mean();
+      Eigen::VectorXd constants(problem.terms.size());
+      for (Eigen::Index m = 0; m < constants.size(); ++m)
+        {
+          const auto &[nodes, energy, gradient, hessian] = problem.terms[m];
+          constants[m] = of_nodes(nodes).mean() / hessian.norm();
+        }
+      return constants;
+    }
   } // namespace
 
   LinearEquations
@@ -85,35 +149,6 @@ namespace springfit
     return {A, d};
   }
 
-  LinearEquations
-  force_equations(const ObjectProblem &problem, const Eigen::MatrixXd &fields)
-  {
-    const Eigen::MatrixXd forces = problem.stiffness * fields;
-    const double rounding        = 1e-12 * problem.stiffness.norm();
-    const Eigen::Index n         = forces.rows();
-
-    Triplets entries;
-    Eigen::VectorXd d(forces.size());
-    Eigen::Index n_equations = 0;
-    for (Eigen::Index f = 0; f < fields.cols(); ++f)
-      {
-        const double size = forces.col(f).norm();
-        if (!(size > rounding * fields.col(f).norm()))
-          continue;
-        d.segment(n_equations, n) = forces.col(f) / size;
-        for (std::size_t m = 0; m < problem.terms.size(); ++m)
-          for (const auto &[row, column, value] :
-               tangent_entries(problem.terms[m]))
-            entries.emplace_back(n_equations + row,
-                                 m,
-                                 value * fields(column, f) / size);
-        n_equations += n;
-      }
-    SparseMatrix A(n_equations, problem.terms.size());
-    A.setFromTriplets(entries.begin(), entries.end());
-    return {A, d.head(n_equations)};
-  }
-
   Eigen::VectorXd
   fit_matrix(const ObjectProblem &problem)
   {
@@ -124,20 +159,34 @@ namespace springfit
   }
 
   Eigen::VectorXd
-  fit_forces(const ObjectProblem &problem,
-             const Eigen::MatrixXd &fields,
-             const Eigen::VectorXd &prior,
-             const double prior_weight)
+  fit_displacements(const ObjectProblem &problem,
+                    const Eigen::MatrixXd &fields,
+                    const Eigen::VectorXd &prior,
+                    const double prior_weight)
   {
-    const auto forces = force_equations(problem, fields);
-    const auto matrix = matrix_equations(problem);
-    const double w    = prior_weight * prior_weight;
+    const FreeBody body(problem.stiffness, problem.nodes);
+    const Eigen::MatrixXd u       = unit_deformations(body, fields);
+    const SparseMatrix forces     = forces_of_terms(problem, u);
+    const SparseMatrix transposed = forces.transpose();
+    const auto respond            = [&](const Eigen::VectorXd &f) {
+      const Eigen::MatrixXd response = body.respond(as_columns(f, u.rows()));
+      return flat(response);
+    };
 
-    const SparseMatrix G_matrix = matrix.A.transpose() * matrix.A;
-    const SparseMatrix G =
-      SparseMatrix(forces.A.transpose() * forces.A) + w * G_matrix;
-    const Eigen::VectorXd g =
-      forces.A.transpose() * forces.d + w * (G_matrix * prior);
-    return minimise_quadratic(G, g, problem.nonnegative);
+    // R^+ K(c) u for all fields u
+    const LinearMap displacements{[&](const Eigen::VectorXd &c) {
+                                    return respond(forces * c);
+                                  },
+                                  [&](const Eigen::VectorXd &y) {
+                                    return Eigen::VectorXd(transposed *
+                                                           respond(y));
+                                  }};
+    const double n_terms = problem.terms.size();
+    return bounded_least_squares(displacements,
+                                 flat(u), // R^+ R u
+                                 prior,
+                                 std::sqrt(n_terms) / prior_weight *
+                                   typical_constants(problem),
+                                 problem.nonnegative);
   }
 } // namespace springfit

@@ -215,17 +215,82 @@ namespace
 
   using Fit = std::function<Eigen::VectorXd(const ObjectProblem &)>;
 
-  Eigen::VectorXd
-  fit_affine_forces(const ObjectProblem &problem)
+  /** The mean of R's diagonal at a term's nodes, over ||T_m||_F. */
+  double
+  typical_constant(const ObjectProblem &problem, const std::size_t m)
   {
-    return fit_forces(problem,
-                      affine_fields(problem.nodes),
-                      fit_matrix(problem),
-                      0.1);
+    const Eigen::MatrixXd R = problem.stiffness;
+    const int dim           = problem.nodes.rows();
+    const auto &nodes       = problem.terms[m].nodes;
+    double sum              = 0.;
+    for (const auto node : nodes)
+      sum += R.block(dim * node, dim * node, dim, dim).trace();
+    return sum / (dim * nodes.size()) / tangent(problem, m).norm();
+  }
+
+  /** What fit_displacements() minimises, by dense linear algebra. */
+  struct DisplacementError
+  {
+    Eigen::MatrixXd columns; // the images of the terms and, below, the prior's
+    Eigen::VectorXd right_side;
+
+    DisplacementError(const ObjectProblem &problem,
+                      const Eigen::MatrixXd &fields,
+                      const Eigen::VectorXd &prior,
+                      const double weight)
+    {
+      const Eigen::MatrixXd R = problem.stiffness;
+      const Eigen::MatrixXd inverse =
+        R.completeOrthogonalDecomposition().pseudoInverse();
+      const Eigen::MatrixXd deformations = inverse * R * fields;
+      const Eigen::MatrixXd u =
+        deformations *
+        deformations.colwise().norm().cwiseInverse().asDiagonal() /
+        std::sqrt(fields.cols());
+      const std::size_t n_terms = problem.terms.size();
+      columns = Eigen::MatrixXd::Zero(u.size() + n_terms, n_terms);
+      right_side.resize(columns.rows());
+      right_side.head(u.size()) = flat(u);
+      for (std::size_t m = 0; m < n_terms; ++m)
+        {
+          const double inverse_scale =
+            weight / std::sqrt(n_terms) / typical_constant(problem, m);
+          columns.col(m).head(u.size()) =
+            flat(inverse * tangent(problem, m) * u);
+          columns(u.size() + m, m) = inverse_scale;
+          right_side[u.size() + m] = inverse_scale * prior[m];
+        }
+    }
+
+    double
+    operator()(const Eigen::VectorXd &c) const
+    {
+      return (right_side - columns * c).squaredNorm();
+    }
+  };
+
+  Eigen::VectorXd
+  typical_constants(const ObjectProblem &problem)
+  {
+    Eigen::VectorXd constants(problem.terms.size());
+    for (std::size_t m = 0; m < problem.terms.size(); ++m)
+      constants[m] = typical_constant(problem, m);
+    return constants;
+  }
+
+  /** From a prior that knows nothing but sizes. */
+  Eigen::VectorXd
+  fit_random_displacements(const ObjectProblem &problem)
+  {
+    Random random(310);
+    return fit_displacements(problem,
+                             random.matrix(problem.stiffness.rows(), 12),
+                             typical_constants(problem),
+                             1e-6);
   }
 
   const std::vector<Fit> all_object_fits = {fit_matrix,
-                                            fit_affine_forces,
+                                            fit_random_displacements,
                                             fit_compliance};
 
   TEST(ObjectFit, MatrixIsTheDenseLeastSquares)
@@ -243,7 +308,7 @@ namespace
         }
   }
 
-  TEST(ObjectFit, ForcesAreTheDenseLeastSquares)
+  TEST(ObjectFit, DisplacementsAreTheDenseLeastSquares)
   {
     Random random(312);
     for (const CellKind kind : all_kinds)
@@ -251,22 +316,64 @@ namespace
         const auto problem =
           make_problem(make_grid(kind, 0.1, random), Terms::volumes, 0.3);
         const Eigen::MatrixXd fields = quadratic_fields(problem.nodes);
-        const Eigen::MatrixXd R      = problem.stiffness;
-        const Eigen::MatrixXd unit =
-          fields * (R * fields).colwise().norm().cwiseInverse().asDiagonal();
-        const double weight = 0.3;
-        const auto expected = dense_fit(problem, [&](const Eigen::MatrixXd &T) {
-          Eigen::VectorXd image(unit.size() + T.size());
-          image << flat(T * unit), weight / R.norm() * flat(T);
-          return image;
-        });
-        expect_same_stiffness(
-          problem,
-          // A free prior is the whole matrix's part that
-          // springs can have.
-          fit_forces(problem, fields, fit_matrix(problem), weight),
-          expected,
-          1e-8);
+        const Eigen::VectorXd prior  = fit_matrix(problem);
+        const double weight          = 0.1;
+        const DisplacementError error(problem, fields, prior, weight);
+        const Eigen::VectorXd expected =
+          error.columns.colPivHouseholderQr().solve(error.right_side);
+        // Sizes and rigid motions of the fields do not matter.
+        const Eigen::MatrixXd rigid = rigid_body_modes(problem.nodes);
+        Eigen::MatrixXd others(fields.rows(), fields.cols() + 1);
+        others << 7. * fields +
+                    rigid * random.matrix(rigid.cols(), fields.cols()),
+          rigid.col(0);
+        for (const auto &same : {fields, others})
+          expect_same_stiffness(problem,
+                                fit_displacements(problem, same, prior, weight),
+                                expected,
+                                1e-7);
+      }
+  }
+
+  TEST(ObjectFit, NonnegativeDisplacementsAreTheBestOfTheirNeighbours)
+  {
+    Random random(320);
+    for (const CellKind kind : {CellKind::tetrahedron, CellKind::hexahedron})
+      {
+        const auto problem =
+          make_problem(make_grid(kind, 0.2, random), Terms::volumes, 0.1, true);
+        const Eigen::MatrixXd fields = quadratic_fields(problem.nodes);
+        const Eigen::VectorXd prior  = fit_matrix(problem);
+        const double weight          = 0.1;
+        const DisplacementError error(problem, fields, prior, weight);
+        const Eigen::VectorXd c =
+          fit_displacements(problem, fields, prior, weight);
+        const double best = error(c);
+        EXPECT_LT(best, error(prior));
+        const auto feasible = [&](Eigen::VectorXd other) {
+          for (Eigen::Index m = 0; m < c.size(); ++m)
+            if (problem.nonnegative[m])
+              other[m] = std::max(other[m], 0.);
+          return other;
+        };
+        EXPECT_EQ(feasible(c), c);
+        EXPECT_GT((c.array() == 0.).count(), 0);
+        const Eigen::VectorXd size = typical_constants(problem);
+        for (const double step : {1e-4, 1e-2})
+          {
+            for (Eigen::Index m = 0; m < c.size(); ++m)
+              for (const double sign : {-1., 1.})
+                {
+                  Eigen::VectorXd other = c;
+                  other[m] += sign * step * size[m];
+                  EXPECT_GE(error(feasible(other)), best * (1. - 1e-9));
+                }
+            for (int repetition = 0; repetition < 100; ++repetition)
+              EXPECT_GE(error(feasible(
+                          c + step *
+                                size.cwiseProduct(random.matrix(c.size(), 1)))),
+                        best * (1. - 1e-9));
+          }
       }
   }
 
@@ -355,7 +462,7 @@ namespace
    * On boxes of regular cells springs and an area or volume spring can bear
    * every constant strain as the finite elements do.
    */
-  TEST(ObjectFit, PatchTestOfAffineForces)
+  TEST(ObjectFit, PatchTestOfAffineDisplacements)
   {
     Random random(316);
     for (const CellKind kind : {CellKind::quadrilateral, CellKind::hexahedron})
@@ -367,7 +474,7 @@ namespace
           const auto error             = [&](const double weight) {
             const auto K = fitted_stiffness(
               problem,
-              fit_forces(problem, fields, fit_matrix(problem), weight));
+              fit_displacements(problem, fields, fit_matrix(problem), weight));
             return ((problem.stiffness - K) * fields).norm() /
                    (problem.stiffness * fields).norm();
           };

@@ -26,25 +26,29 @@ namespace springfit
   const WordTable<Scope> &
   scope_words();
 
-  /** Displacements whose nodal forces a fit of a whole object reproduces. */
+  /** Loads under which a fit of a whole object gets the displacements right. */
   enum class Field
   {
-    affine,
-    quadratic,
-    responses // to the loads of the scene
+    affine,    // forces of the nodes, affine_fields()
+    quadratic, // forces of the nodes, quadratic_fields()
+    responses  // the loads of the scene
   };
 
   const WordTable<Field> &
   field_words();
 
   /**
-   * @param nodes dim x n_nodes, m
-   * @param responses given displacements, one per column
-   * @return (dim * n_nodes) x n_fields
+   * The displacements under the loads named: those of the scene are given,
+   * others act on the free object.
+   *
+   * @param responses displacements under the loads of the scene, n x n_cases
+   * @return n x n_fields; lengths are arbitrary
+   *
+   * @throws RunError when the object is singular beyond its rigid motions.
    */
   Eigen::MatrixXd
   displacement_fields(const std::vector<Field> &fields,
-                      const Eigen::MatrixXd &nodes,
+                      const ObjectProblem &problem,
                       const Eigen::MatrixXd &responses);
 
   /** The fits that there are of a whole object. */
@@ -112,7 +116,7 @@ namespace springfit
 
   /**
    * @param method one of object_methods()
-   * @param fields, prior see fit_forces(); of the consistent fit
+   * @param fields, prior see fit_displacements(); of the consistent fit
    *
    * @throws RunError as the fit does, when the constants are not finite, or
    * when a part of the fitted object is held by nothing.

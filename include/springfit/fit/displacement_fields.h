@@ -5,10 +5,10 @@
 
 namespace springfit
 {
-  // Displacements of nodes (dim x n_nodes, m) as columns; row dim * v + d is
-  // component d of node v. Coordinates are relative to the mean of the nodes
-  // and to their largest distance from it in a coordinate, so that the fields
-  // have no unit and are of size one.
+  // Vectors at nodes (dim x n_nodes, m), displacements or forces, as columns;
+  // row dim * v + d is component d of node v. Coordinates are relative to the
+  // mean of the nodes and to their largest distance from it in a coordinate, so
+  // that the fields have no unit and are of size one.
 
   /** The constant strains, dim (dim + 1) / 2 of them. */
   Eigen::MatrixXd

@@ -43,11 +43,11 @@ namespace springfit
     Eigen::MatrixXd
     respond(const Eigen::MatrixXd &forces) const;
 
-  private:
-    /** Without its rigid motions. */
+    /** What @p displacements (n x n_cases, m) are without rigid motions. */
     Eigen::MatrixXd
     deformation(const Eigen::MatrixXd &displacements) const;
 
+  private:
     Eigen::MatrixXd rigid_;
     std::vector<Eigen::Index> free_;
     Eigen::SparseMatrix<double> held_; // of the free ones

@@ -22,15 +22,6 @@ namespace springfit
   matrix_equations(const ObjectProblem &problem);
 
   /**
-   * K(c) u = R u, an equation for each degree of freedom and each column u of
-   * @p fields (n x n_fields, m), such that the sum of the squares is that of
-   * ||R u - K(c) u||^2 / ||R u||^2. A field without forces (a rigid motion)
-   * has no equations.
-   */
-  LinearEquations
-  force_equations(const ObjectProblem &problem, const Eigen::MatrixXd &fields);
-
-  /**
    * The constants that minimise ||R - K(c)||_F.
    *
    * @throws RunError as minimise_quadratic() does.
@@ -39,20 +30,30 @@ namespace springfit
   fit_matrix(const ObjectProblem &problem);
 
   /**
-   * The constants c that minimise the sum of the squares of force_equations()
-   * and @p prior_weight^2 ||K(c) - K(prior)||_F^2 / ||R||_F^2. Without the
-   * prior the constants are not unique, and deformations that no field excites
-   * may cost no energy.
+   * The constants c with which the displacements of @p fields are right: those
+   * that minimise the mean over the fields u of ||R^+ E u||^2 / ||u||^2,
+   * E = R - K(c), and @p prior_weight^2 times the mean over the terms of
+   * ((c_m - prior_m) / s_m)^2. The loads R u of a field displace the springs,
+   * to first order, by R^+ E u more than the finite elements. Where the forces
+   * E u are ruled by short waves this error is ruled by the soft deformations,
+   * and it is what a comparison shows.
    *
+   * s_m = (mean of R's diagonal at the nodes of T_m) / ||T_m||_F: with it a
+   * term is about as stiff as the body around it. Without the prior the
+   * constants are not unique, and deformations that no field excites may cost
+   * no energy.
+   *
+   * @param fields n x n_fields, m; only deformations count, and a field that is
+   * a rigid motion not at all
    * @param prior constants to stay near to, such as those of fits of the cells
    *
-   * @throws RunError as minimise_quadratic() does.
+   * @throws RunError as FreeBody and bounded_least_squares() do.
    */
   Eigen::VectorXd
-  fit_forces(const ObjectProblem &problem,
-             const Eigen::MatrixXd &fields,
-             const Eigen::VectorXd &prior,
-             double prior_weight);
+  fit_displacements(const ObjectProblem &problem,
+                    const Eigen::MatrixXd &fields,
+                    const Eigen::VectorXd &prior,
+                    double prior_weight);
 } // namespace springfit
 
 #endif
