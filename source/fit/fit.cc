@@ -408,7 +408,7 @@ namespace springfit
       if (!options.nonnegative)
         return fit(problem, terms, 0, options);
 
-      const Constants found = fit(problem, terms, terms.n_one_signed, options);
+      const Constants found = fit(problem, terms, terms.n_springs, options);
       if (is_definite(problem, found.model))
         return found;
       // Volumes or angles so negative that the cell gives way. With all
