@@ -101,25 +101,6 @@ namespace springfit
                              integers.data() + integers.size());
     return shape;
   }
-
-
-  std::vector<unsigned int>
-  spring_permutation(const CanonicalShape &shape)
-  {
-    const unsigned int n = n_vertices(shape.key.kind);
-    // Position of the pair (i, j), i < j, in lexicographic order.
-    const auto position = [n](const unsigned int i, const unsigned int j) {
-      return i * (2 * n - i - 1) / 2 + j - i - 1;
-    };
-    std::vector<unsigned int> springs;
-    for (const auto &[a, b] : node_pairs(shape.key.kind))
-      {
-        const auto i = shape.permutation[a];
-        const auto j = shape.permutation[b];
-        springs.push_back(i < j ? position(i, j) : position(j, i));
-      }
-    return springs;
-  }
 } // namespace springfit
 
 

@@ -58,7 +58,6 @@ namespace springfit
     terms.norms.tail(others.cols()) = others.colwise().norm();
     terms.gradients.resize(springs.rows(), terms.norms.size());
     terms.gradients << springs, others.colwise().normalized();
-    terms.n_one_signed = terms.n_springs;
     return terms;
   }
 

@@ -1,7 +1,9 @@
 #include <springfit/fit/consistent.h>
+#include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/nonnegative_least_squares.h>
 #include <springfit/springs/rigid_modes.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 #include <cmath>
@@ -17,51 +19,16 @@ namespace springfit
 
     constexpr double affine_factor = 17.;
 
-    /**
-     * The displacements of unit strains in an orthonormal basis of the
-     * symmetric matrices, normal strains first; scaled by a common factor so
-     * that they are as large as unit vectors on average.
-     *
-     * @return (dim * n_nodes) x dim (dim + 1) / 2
+    // Of the softest deformation's stiffness, see the header.
+    constexpr double least_stiffness = 0.03;
+
+    /** The displacements of unit strains, as large as unit vectors on average.
      */
     Eigen::MatrixXd
     strain_modes(const Eigen::MatrixXd &points)
     {
-      const Eigen::Index dim  = points.rows();
-      const Eigen::MatrixXd x = points.colwise() - points.rowwise().mean();
-      Eigen::MatrixXd modes =
-        Eigen::MatrixXd::Zero(points.size(), dim * (dim + 1) / 2);
-      Eigen::Index shear = dim;
-      for (Eigen::Index a = 0; a < dim; ++a)
-        {
-          for (Eigen::Index v = 0; v < points.cols(); ++v)
-            modes(dim * v + a, a) = x(a, v);
-          for (Eigen::Index b = a + 1; b < dim; ++b, ++shear)
-            for (Eigen::Index v = 0; v < points.cols(); ++v)
-              {
-                modes(dim * v + a, shear) = x(b, v) / std::sqrt(2.);
-                modes(dim * v + b, shear) = x(a, v) / std::sqrt(2.);
-              }
-        }
+      const Eigen::MatrixXd modes = affine_fields(points);
       return modes * std::sqrt(modes.cols() / modes.squaredNorm());
-    }
-
-    /** The displacements x_a x_b e_c, the coordinates from the centre. */
-    Eigen::MatrixXd
-    quadratic_fields(const Eigen::MatrixXd &points)
-    {
-      const Eigen::Index dim  = points.rows();
-      const Eigen::MatrixXd x = points.colwise() - points.rowwise().mean();
-      Eigen::MatrixXd fields =
-        Eigen::MatrixXd::Zero(points.size(), dim * dim * (dim + 1) / 2);
-      Eigen::Index column = 0;
-      for (Eigen::Index a = 0; a < dim; ++a)
-        for (Eigen::Index b = a; b < dim; ++b)
-          for (Eigen::Index c = 0; c < dim; ++c, ++column)
-            for (Eigen::Index v = 0; v < points.cols(); ++v)
-              fields(dim * v + c, column) =
-                (a == b ? 1. : std::sqrt(2.)) * x(a, v) * x(b, v);
-      return fields;
     }
 
     /**
@@ -123,6 +90,60 @@ namespace springfit
     {
       return x * x;
     }
+
+    Eigen::MatrixXd
+    stiffness(const Eigen::MatrixXd &B, const Eigen::VectorXd &k)
+    {
+      return B * k.asDiagonal() * B.transpose();
+    }
+
+    /** The same constant for all springs, the others zero: nearest to R. */
+    Eigen::VectorXd
+    equal_springs(const Eigen::MatrixXd &B,
+                  const Eigen::MatrixXd &R,
+                  const Eigen::Index n_springs)
+    {
+      Eigen::VectorXd k         = Eigen::VectorXd::Zero(B.cols());
+      k.head(n_springs)         = Eigen::VectorXd::Ones(n_springs);
+      const Eigen::MatrixXd one = stiffness(B, k);
+      return one.cwiseProduct(R).sum() / one.squaredNorm() * k;
+    }
+
+    /**
+     * The nearest to @p k on the way to equal springs in which no deformation
+     * is softer than least_stiffness of the softest one of R. Constants that
+     * release energy are left as they are.
+     */
+    Eigen::VectorXd
+    without_mechanisms(const Eigen::MatrixXd &points,
+                       const Eigen::MatrixXd &B,
+                       const Eigen::MatrixXd &R,
+                       const Eigen::Index n_springs,
+                       const Eigen::VectorXd &k)
+    {
+      const Eigen::MatrixXd Q = deformation_basis(points);
+      const auto softest      = [&Q](const Eigen::MatrixXd &K) {
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+          Q.transpose() * K * Q, Eigen::EigenvaluesOnly);
+        return eigen.eigenvalues()[0];
+      };
+      const double rounding = 1e-10 * R.norm();
+      const double least    = least_stiffness * softest(R);
+      const double found    = softest(stiffness(B, k));
+      if (found < -rounding || found >= least)
+        return k;
+
+      const Eigen::VectorXd equal = equal_springs(B, R, n_springs);
+      // What is stiff enough is a convex set.
+      double soft = 0., stiff = 1.;
+      while (stiff - soft > 1e-3 * stiff)
+        {
+          const double middle           = 0.5 * (soft + stiff);
+          const Eigen::VectorXd between = k + middle * (equal - k);
+          (softest(stiffness(B, between)) < least ? soft : stiff) = middle;
+        }
+      return k + stiff * (equal - k);
+    }
   } // namespace
 
 
@@ -138,7 +159,7 @@ namespace springfit
     NormalEquations equations{Eigen::MatrixXd::Zero(B.cols(), B.cols()),
                               Eigen::VectorXd::Zero(B.cols())};
 
-    // The invariants C_iijj and C_ijij of a tensor.
+    // The invariants C_iijj and C_ijij of a tensor, normal strains first.
     const Eigen::MatrixXd tensor = M.transpose() * R * M;
     const Eigen::MatrixXd m      = M.transpose() * B;
     equations.add_row(squared(isotropic_part),
@@ -153,9 +174,12 @@ namespace springfit
       squared(affine_forces), M, reached_modes(points, H), B, R);
     equations.add_block(2., M, H, B, R);
     equations.add_block(1., H, H, B, R);
-    return nonnegative_least_squares(equations.gram,
-                                     equations.products,
-                                     n_nonnegative);
+    const Eigen::VectorXd k = nonnegative_least_squares(equations.gram,
+                                                        equations.products,
+                                                        n_nonnegative);
+    return n_nonnegative > 0
+             ? without_mechanisms(points, B, R, n_nonnegative, k)
+             : k;
   }
 
 

@@ -1,5 +1,7 @@
 #include <springfit/fit/displacement_fields.h>
 
+#include <cmath>
+
 namespace springfit
 {
   namespace
@@ -24,14 +26,15 @@ namespace springfit
     const Eigen::MatrixXd x = unit_coordinates(nodes);
     const Eigen::Index dim  = x.rows();
     Eigen::MatrixXd fields(x.size(), dim * (dim + 1) / 2);
-    Eigen::Index f = 0;
+    Eigen::Index shear = dim;
     for (Eigen::Index a = 0; a < dim; ++a)
       for (Eigen::Index b = a; b < dim; ++b)
         {
-          Eigen::MatrixXd u = Eigen::MatrixXd::Zero(dim, x.cols());
-          u.row(a) += 0.5 * x.row(b);
-          u.row(b) += 0.5 * x.row(a);
-          fields.col(f++) = flat(u);
+          const double weight = a == b ? 0.5 : std::sqrt(0.5);
+          Eigen::MatrixXd u   = Eigen::MatrixXd::Zero(dim, x.cols());
+          u.row(a) += weight * x.row(b);
+          u.row(b) += weight * x.row(a);
+          fields.col(a == b ? a : shear++) = flat(u);
         }
     return fields;
   }
@@ -48,8 +51,9 @@ namespace springfit
         for (Eigen::Index d = 0; d < dim; ++d)
           {
             Eigen::MatrixXd u = Eigen::MatrixXd::Zero(dim, x.cols());
-            u.row(d)          = x.row(a).cwiseProduct(x.row(b));
-            fields.col(f++)   = flat(u);
+            u.row(d) =
+              (a == b ? 1. : std::sqrt(2.)) * x.row(a).cwiseProduct(x.row(b));
+            fields.col(f++) = flat(u);
           }
     return fields;
   }

@@ -7,6 +7,7 @@
 #include <springfit/fit/compliance.h>
 #include <springfit/fit/consistent.h>
 #include <springfit/fit/coupled_cell.h>
+#include <springfit/fit/definiteness.h>
 #include <springfit/fit/delingette.h>
 #include <springfit/fit/fit.h>
 #include <springfit/fit/frobenius.h>
@@ -17,9 +18,6 @@
 #include <springfit/fit/several_states.h>
 #include <springfit/fit/spectral.h>
 #include <springfit/springs/negative.h>
-#include <springfit/springs/rigid_modes.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <numeric>
@@ -43,8 +41,7 @@ namespace springfit
     Constants
     block(const FitProblem &problem,
           const CellTerms &terms,
-          const Eigen::Index n_nonnegative,
-          const FitOptions &)
+          const Eigen::Index n_nonnegative)
     {
       return {make_cell_model(terms,
                               fit_block(terms.gradients,
@@ -56,8 +53,7 @@ namespace springfit
     Constants
     frobenius(const FitProblem &problem,
               const CellTerms &terms,
-              const Eigen::Index n_nonnegative,
-              const FitOptions &)
+              const Eigen::Index n_nonnegative)
     {
       if (!problem.states.empty())
         return {fit_over_states(problem, terms, n_nonnegative)};
@@ -127,8 +123,7 @@ namespace springfit
     Constants
     compliance(const FitProblem &problem,
                const CellTerms &terms,
-               const Eigen::Index n_nonnegative,
-               const FitOptions &)
+               const Eigen::Index n_nonnegative)
     {
       std::vector<unsigned int> nodes(problem.points.cols());
       std::iota(nodes.begin(), nodes.end(), 0);
@@ -149,13 +144,13 @@ namespace springfit
     // The published ones, from the shape and the material.
 
     Constants
-    gelder(const FitProblem &problem, const FitOptions &)
+    gelder(const FitProblem &problem)
     {
       return {{fit_gelder(problem.points, problem.kind, problem.material)}};
     }
 
     Constants
-    lloyd(const FitProblem &problem, const FitOptions &)
+    lloyd(const FitProblem &problem)
     {
       return {{fit_lloyd(problem.points, problem.kind, problem.material)}};
     }
@@ -182,7 +177,7 @@ namespace springfit
     }
 
     Constants
-    golec(const FitProblem &problem, const FitOptions &)
+    golec(const FitProblem &problem)
     {
       CellModel model{fit_golec(problem.points, problem.material)};
       model.volume_stiffness =
@@ -191,137 +186,50 @@ namespace springfit
     }
 
 
-    // Their assumptions, with the same arguments for all of them.
-
-    using Assumptions = std::vector<std::string>;
-
-    Assumptions
-    none_unmet(const Eigen::MatrixXd &,
-               const CellKind,
-               const IsotropicMaterial &)
+    Constants
+    to_stiffness(const FitProblem &problem,
+                 const Method method,
+                 const CellTerms &terms,
+                 const Eigen::Index n_nonnegative,
+                 const FitOptions &options)
     {
-      return {};
+      switch (method)
+        {
+          case Method::block:
+            return block(problem, terms, n_nonnegative);
+          case Method::frobenius:
+            return frobenius(problem, terms, n_nonnegative);
+          case Method::spectral:
+            return spectral(problem, terms, n_nonnegative, options);
+          case Method::consistent:
+            return consistent(problem, terms, n_nonnegative, options);
+          case Method::compliance:
+            return compliance(problem, terms, n_nonnegative);
+          default:
+            throw std::logic_error("a published fit knows no stiffness");
+        }
     }
 
-    Assumptions
-    golec_unmet(const Eigen::MatrixXd &,
-                const CellKind,
-                const IsotropicMaterial &material)
+    Constants
+    from_formulas(const FitProblem &problem,
+                  const Method method,
+                  const FitOptions &options)
     {
-      return golec_assumptions(material);
-    }
-
-
-    struct Description
-    {
-      Method method;
-      std::string word;
-      std::vector<CellKind> cells;
-      std::vector<Enrichment> enrichments;
-
-      /** Of a fit to the cell's stiffness; null of a published one. */
-      Constants (*approximate)(const FitProblem &,
-                               const CellTerms &,
-                               Eigen::Index,
-                               const FitOptions &);
-
-      /** Of a published one; null of the others. */
-      Constants (*published)(const FitProblem &, const FitOptions &);
-
-      Assumptions (*unmet)(const Eigen::MatrixXd &,
-                           CellKind,
-                           const IsotropicMaterial &);
-    };
-
-    /** In the order in which they are offered. */
-    const std::vector<Description> &
-    descriptions()
-    {
-      const auto triangle      = CellKind::triangle;
-      const auto quadrilateral = CellKind::quadrilateral;
-      const auto tetrahedron   = CellKind::tetrahedron;
-      const auto hexahedron    = CellKind::hexahedron;
-      const auto all      = {triangle, quadrilateral, tetrahedron, hexahedron};
-      const auto none     = Enrichment::none;
-      const auto volume   = Enrichment::volume;
-      const auto angles   = Enrichment::angles;
-      const auto coupling = Enrichment::coupling;
-      const auto every    = {none, volume, angles, coupling};
-      static const std::vector<Description> table = {
-        {Method::block, "block", all, every, &block, nullptr, &none_unmet},
-        {Method::frobenius,
-         "frobenius",
-         all,
-         every,
-         &frobenius,
-         nullptr,
-         &none_unmet},
-        {Method::spectral,
-         "spectral",
-         all,
-         every,
-         &spectral,
-         nullptr,
-         &none_unmet},
-        {Method::consistent,
-         "consistent",
-         all,
-         every,
-         &consistent,
-         nullptr,
-         &none_unmet},
-        {Method::compliance,
-         "compliance",
-         all,
-         every,
-         &compliance,
-         nullptr,
-         &none_unmet},
-        {Method::gelder,
-         "gelder",
-         {triangle, tetrahedron},
-         {none},
-         nullptr,
-         &gelder,
-         &none_unmet},
-        {Method::lloyd,
-         "lloyd",
-         {triangle, quadrilateral, tetrahedron},
-         {none},
-         nullptr,
-         &lloyd,
-         &lloyd_assumptions},
-        {Method::baudet,
-         "baudet",
-         {quadrilateral, hexahedron},
-         {none, coupling},
-         nullptr,
-         &baudet,
-         &baudet_assumptions},
-        {Method::delingette,
-         "delingette",
-         {triangle},
-         {none, coupling},
-         nullptr,
-         &delingette,
-         &none_unmet},
-        {Method::golec,
-         "golec",
-         {tetrahedron},
-         {volume},
-         nullptr,
-         &golec,
-         &golec_unmet}};
-      return table;
-    }
-
-    const Description &
-    description(const Method method)
-    {
-      for (const auto &entry : descriptions())
-        if (entry.method == method)
-          return entry;
-      throw std::logic_error("a fit has no description");
+      switch (method)
+        {
+          case Method::gelder:
+            return gelder(problem);
+          case Method::lloyd:
+            return lloyd(problem);
+          case Method::baudet:
+            return baudet(problem, options);
+          case Method::delingette:
+            return delingette(problem, options);
+          case Method::golec:
+            return golec(problem);
+          default:
+            throw std::logic_error("a fit has no formulas of its own");
+        }
     }
 
     /**
@@ -336,49 +244,6 @@ namespace springfit
         found.duality_gap = spectral_norm(residual(problem, found.model)) /
                             spectral_norm(problem.stiffness);
       return found;
-    }
-
-    /**
-     * The smallest eigenvalue of a cell's forces on its deformations, relative
-     * to ||R||_2.
-     */
-    double
-    smallest_eigenvalue(const FitProblem &problem, const CellModel &model)
-    {
-      const Eigen::MatrixXd Q = deformation_basis(problem.points);
-      const Eigen::MatrixXd K = problem.stiffness - residual(problem, model);
-      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        Q.transpose() * K * Q, Eigen::EigenvaluesOnly);
-      return eigen.eigenvalues()[0] / spectral_norm(problem.stiffness);
-    }
-
-    /** Below it an eigenvalue is negative, above it may be rounding. */
-    constexpr double zero_eigenvalue = -1e-10;
-
-    bool
-    is_definite(const FitProblem &problem, const CellModel &model)
-    {
-      return smallest_eigenvalue(problem, model) >= zero_eigenvalue;
-    }
-
-    /**
-     * The model 90 % of the way from @p safe towards @p wanted on which the
-     * cell stays positive semidefinite: definite cells are a convex set.
-     */
-    CellModel
-    furthest_definite(const FitProblem &problem,
-                      const CellModel &safe,
-                      const CellModel &wanted)
-    {
-      double inside = 0., outside = 1.;
-      while (outside - inside > 1e-3)
-        {
-          const double middle = 0.5 * (inside + outside);
-          (is_definite(problem, between(safe, wanted, middle)) ? inside
-                                                               : outside) =
-            middle;
-        }
-      return between(safe, wanted, 0.9 * inside);
     }
 
     /** A cell with all its couplings that shall suit several states. */
@@ -403,17 +268,19 @@ namespace springfit
         return problem.states.empty() ? coupled(problem, method)
                                       : coupled_over_states(problem, options);
 
-      const auto fit   = description(method).approximate;
       const auto terms = make_cell_terms(problem, options.enrichment);
+      const auto fit   = [&](const Eigen::Index n_nonnegative) {
+        return to_stiffness(problem, method, terms, n_nonnegative, options);
+      };
       if (!options.nonnegative)
-        return fit(problem, terms, 0, options);
+        return fit(0);
 
-      const Constants found = fit(problem, terms, terms.n_one_signed, options);
+      const Constants found = fit(terms.n_springs);
       if (is_definite(problem, found.model))
         return found;
       // Volumes or angles so negative that the cell gives way. With all
       // constants >= 0 it cannot.
-      const Constants safe = fit(problem, terms, terms.norms.size(), options);
+      const Constants safe = fit(terms.norms.size());
       // A certificate holds for an end of the way only.
       if (safe.duality_gap)
         return safe;
@@ -449,19 +316,6 @@ namespace springfit
   } // namespace
 
 
-  const WordTable<Method> &
-  method_words()
-  {
-    static const WordTable<Method> table = [] {
-      WordTable<Method> words;
-      for (const auto &entry : descriptions())
-        words.emplace_back(entry.method, entry.word);
-      return words;
-    }();
-    return table;
-  }
-
-
   const WordTable<Engine> &
   engine_words()
   {
@@ -477,47 +331,6 @@ namespace springfit
     static const WordTable<Norm> table = {{Norm::frobenius, "frobenius"},
                                           {Norm::spectral, "spectral"}};
     return table;
-  }
-
-
-  const std::vector<CellKind> &
-  cells_of(const Method method)
-  {
-    return description(method).cells;
-  }
-
-
-  const std::vector<Enrichment> &
-  enrichments_of(const Method method)
-  {
-    return description(method).enrichments;
-  }
-
-
-  bool
-  has_states(const Method method,
-             const Enrichment enrichment,
-             const CellKind kind)
-  {
-    return method == Method::frobenius &&
-           (enrichment != Enrichment::coupling || is_simplex(kind));
-  }
-
-
-  bool
-  is_published(const Method method)
-  {
-    return description(method).published != nullptr;
-  }
-
-
-  std::vector<std::string>
-  unmet_assumptions(const Method method,
-                    const Eigen::MatrixXd &points,
-                    const CellKind kind,
-                    const IsotropicMaterial &material)
-  {
-    return description(method).unmet(points, kind, material);
   }
 
 
@@ -542,7 +355,7 @@ namespace springfit
                              "this enrichment or states");
 
     const Constants found = is_published(method)
-                              ? description(method).published(problem, options)
+                              ? from_formulas(problem, method, options)
                               : approximate(problem, method, options);
     if (!all_finite(found.model))
       throw RunError("its constants are not finite.",
@@ -556,8 +369,11 @@ namespace springfit
                            smallest_eigenvalue(problem, found.model),
                            n_negative(found.model.k),
                            states_residual(problem, found.model)};
-    if (!is_published(method) && options.nonnegative &&
-        *result.smallest_eigenvalue < zero_eigenvalue)
+    // All its couplings make a cell its finite element, but for rounding.
+    const bool is_exact =
+      options.enrichment == Enrichment::coupling && problem.states.empty();
+    if (!is_published(method) && options.nonnegative && !is_exact &&
+        !is_definite(problem, found.model))
       throw RunError(not_definite(*result.smallest_eigenvalue, options),
                      "Improve the mesh there, or choose another material.");
     return result;

@@ -32,7 +32,12 @@ namespace springfit
     {
       const Eigen::MatrixXd G_free = G(free, free);
       const Eigen::VectorXd g_free = g(free);
-      const Eigen::VectorXd x_free = G_free.llt().solve(g_free);
+      const Eigen::LLT<Eigen::MatrixXd> cholesky(G_free);
+      if (cholesky.info() != Eigen::Success)
+        throw RunError("its springs cannot be told apart: the equations of the "
+                       "fit are singular up to rounding.",
+                       "Improve the mesh there: the cell is nearly flat.");
+      const Eigen::VectorXd x_free = cholesky.solve(g_free);
       Eigen::VectorXd x            = Eigen::VectorXd::Zero(g.size());
       x(free)                      = x_free;
       return x;
@@ -103,7 +108,8 @@ namespace springfit
         is_free[steepest] = true;
         x                 = descend(G, g, n_nonnegative, x, is_free);
       }
-    throw RunError("A least squares fit with k >= 0 did not settle.",
-                   "Check the cells' shapes, or fit without k >= 0.");
+    throw RunError("its least squares fit with k >= 0 did not settle: its "
+                   "equations are nearly singular.",
+                   "Improve the mesh there: the cell may be nearly flat.");
   }
 } // namespace springfit

@@ -85,6 +85,7 @@ namespace springfit
       return all;
     }
 
+    /** One table for each type Make, so that it must be a lambda of its own. */
     template <typename Value, typename Make>
     const Value &
     made_once_per_kind(const CellKind kind, const Make &make)
@@ -109,8 +110,8 @@ namespace springfit
   const std::vector<NodeTriple> &
   cell_angles(const CellKind kind)
   {
-    return made_once_per_kind<std::vector<NodeTriple>>(kind,
-                                                       angles_between_edges);
+    return made_once_per_kind<std::vector<NodeTriple>>(
+      kind, [](const CellKind k) { return angles_between_edges(k); });
   }
 
   std::optional<int>

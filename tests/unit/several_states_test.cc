@@ -344,7 +344,7 @@ namespace
           {
             const FitProblem problem = slender_problem(kind, random);
             const auto terms         = make_cell_terms(problem, enrichment);
-            const auto n = nonnegative ? terms.n_one_signed : Eigen::Index(0);
+            const auto n = nonnegative ? terms.n_springs : Eigen::Index(0);
             const CellModel model    = fit_over_states(problem, terms, n);
             const CellModel expected = make_cell_model(
               terms, fit_frobenius(terms.gradients, problem.stiffness, n));
@@ -373,7 +373,7 @@ namespace
             const CellModel best =
               fit_over_states(problem,
                               terms,
-                              nonnegative ? terms.n_one_signed : 0);
+                              nonnegative ? terms.n_springs : 0);
             if (nonnegative)
               EXPECT_EQ(n_negative(best.k), 0u);
             const double residual = residual_over_states(problem, best);

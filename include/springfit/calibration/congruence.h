@@ -75,14 +75,6 @@ namespace springfit
    */
   CanonicalShape
   oriented_shape(const Eigen::MatrixXd &points, CellKind kind);
-
-  /**
-   * Spring s = (a, b) of the canonical numbering is spring result[s] of the
-   * cell, the one between permutation[a] and permutation[b]; springs in the
-   * order of node_pairs().
-   */
-  std::vector<unsigned int>
-  spring_permutation(const CanonicalShape &shape);
 } // namespace springfit
 
 

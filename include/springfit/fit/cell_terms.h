@@ -17,6 +17,10 @@ namespace springfit
   {
     Enrichment enrichment;
 
+    /**
+     * The first ones, which a fit with k >= 0 keeps from being negative.
+     * Volumes and angles are free: they make up for a lambda < mu or > mu.
+     */
     Eigen::Index n_springs;
 
     /**
@@ -28,13 +32,6 @@ namespace springfit
 
     /** What the gradients were divided by; 1 for a spring. */
     Eigen::VectorXd norms;
-
-    /**
-     * How many of the terms, from the first on, a fit with k >= 0 keeps from
-     * being negative: the springs. Volumes and angles are free: they make up
-     * for a lambda < mu or > mu.
-     */
-    Eigen::Index n_one_signed;
   };
 
   /**

@@ -28,8 +28,7 @@ namespace springfit
    *         M^T E M under rotations. Least squares with too few terms shrink,
    *         and without this rung a network is too soft;
    *   1000  M^T E M, the energies of affine modes: the homogenised tensor;
-   *    300  M^T E H, the forces of affine modes: the patch test. It keeps
-   *         the hourglass modes from losing their stiffness, too. Of H only
+   *    300  M^T E H, the forces of affine modes: the patch test. Of H only
    *         what quadratic displacements reach: between the others, which
    *         alternate from corner to corner, the forces of neighbours cancel;
    *      1  H^T E H, and M^T E H for all of H.
@@ -38,6 +37,14 @@ namespace springfit
    * the specimen, regular and distorted, at nu = 0.3 and 0.45.
    *
    * A simplex has no hourglass modes and takes the first two rungs.
+   *
+   * With k >= 0 no rectangle or brick longer than sqrt(3) times its width can
+   * be isotropic: its diagonals alone, which must be what resists shear, are
+   * too stiff along it, and the springs along it vanish, which alone resist
+   * hourglass modes. Where a cell comes out without stiffness, or with less
+   * than 0.03 of R's in R's softest deformation, all springs are moved towards
+   * equal ones, which have no mechanisms, until it has that. On the specimen
+   * and on bricks of 1 : 2 this hardly moves the errors, from 0.01 to 0.1.
    */
   Eigen::VectorXd
   fit_consistent(const Eigen::MatrixXd &points,

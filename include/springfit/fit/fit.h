@@ -1,35 +1,16 @@
 #ifndef springfit_fit_fit_h
 #define springfit_fit_fit_h
 
-#include <springfit/core/cell_kind.h>
 #include <springfit/core/words.h>
 #include <springfit/fit/cell_model.h>
 #include <springfit/fit/enrichment.h>
+#include <springfit/fit/methods.h>
 #include <springfit/fit/problem.h>
 
-#include <Eigen/Core>
-
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace springfit
 {
-  /** A fit; see the header of its name. */
-  enum class Method
-  {
-    block,
-    frobenius,
-    spectral,
-    consistent,
-    compliance,
-    gelder,
-    lloyd,
-    baudet,
-    delingette,
-    golec
-  };
-
   /** What solves the spectral fit. */
   enum class Engine
   {
@@ -44,43 +25,11 @@ namespace springfit
     spectral
   };
 
-  const WordTable<Method> &
-  method_words();
-
   const WordTable<Engine> &
   engine_words();
 
   const WordTable<Norm> &
   norm_words();
-
-  /** The cells that a fit is for. */
-  const std::vector<CellKind> &
-  cells_of(Method method);
-
-  /** The enrichments that a fit has. */
-  const std::vector<Enrichment> &
-  enrichments_of(Method method);
-
-  /** Whether a fit can suit deformed states of a cell, see several_states.h. */
-  bool
-  has_states(Method method, Enrichment enrichment, CellKind kind);
-
-  /**
-   * Whether a fit has formulas of its own, to be taken as they are: options do
-   * not change them.
-   */
-  bool
-  is_published(Method method);
-
-  /**
-   * The assumptions of a published fit that a cell does not meet, as parts of
-   * a sentence: "squares". The fit can be made all the same.
-   */
-  std::vector<std::string>
-  unmet_assumptions(Method method,
-                    const Eigen::MatrixXd &points,
-                    CellKind kind,
-                    const IsotropicMaterial &material);
 
   struct FitOptions
   {
@@ -119,7 +68,8 @@ namespace springfit
      * Of a spectral fit: how far at most ||E(k)||_2 is from the smallest
      * possible one, relative to ||R||_2. Certified by a dual bound, whatever
      * the engine did. Of a consistent fit in the spectral norm: the same of S E
-     * S and S R S, see consistent.h.
+     * S and S R S, see consistent.h. Where FitOptions::nonnegative had to hold
+     * volumes and angles too, smallest is meant with all of them >= 0.
      */
     std::optional<double> duality_gap;
 
@@ -140,8 +90,7 @@ namespace springfit
   /**
    * Fit the springs of one cell, which must be of a kind in cells_of() and with
    * an enrichment in enrichments_of() the method, and without states unless
-   * has_states(). A large duality gap is
-   * reported, not thrown.
+   * has_states(). A large duality gap is reported, not thrown.
    *
    * @throws RunError when R is zero or not finite, when the engine breaks
    * down without a result, when a volume is zero or an angle straight or

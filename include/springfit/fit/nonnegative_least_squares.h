@@ -14,7 +14,8 @@ namespace springfit
    * @return x with w = g - G x zero in the free entries, and in the others
    * x_s >= 0, w_s <= 0, x_s w_s = 0 up to rounding
    *
-   * @throws RunError when the active sets do not settle.
+   * @throws RunError when G is singular up to rounding, or the active sets do
+   * not settle.
    */
   Eigen::VectorXd
   nonnegative_least_squares(const Eigen::MatrixXd &G,

@@ -1,0 +1,159 @@
+#include <springfit/fit/baudet.h>
+#include <springfit/fit/golec.h>
+#include <springfit/fit/lloyd.h>
+#include <springfit/fit/methods.h>
+
+#include <stdexcept>
+
+namespace springfit
+{
+  namespace
+  {
+    // Their assumptions, with the same arguments for all of them.
+
+    using Assumptions = std::vector<std::string>;
+
+    Assumptions
+    none_unmet(const Eigen::MatrixXd &,
+               const CellKind,
+               const IsotropicMaterial &)
+    {
+      return {};
+    }
+
+    Assumptions
+    golec_unmet(const Eigen::MatrixXd &,
+                const CellKind,
+                const IsotropicMaterial &material)
+    {
+      return golec_assumptions(material);
+    }
+
+
+    struct Description
+    {
+      Method method;
+      std::string word;
+      std::vector<CellKind> cells;
+      std::vector<Enrichment> enrichments;
+
+      /** It has formulas of its own. */
+      bool is_published;
+
+      Assumptions (*unmet)(const Eigen::MatrixXd &,
+                           CellKind,
+                           const IsotropicMaterial &);
+    };
+
+    /** In the order in which they are offered. */
+    const std::vector<Description> &
+    descriptions()
+    {
+      const auto triangle      = CellKind::triangle;
+      const auto quadrilateral = CellKind::quadrilateral;
+      const auto tetrahedron   = CellKind::tetrahedron;
+      const auto hexahedron    = CellKind::hexahedron;
+      const auto all      = {triangle, quadrilateral, tetrahedron, hexahedron};
+      const auto none     = Enrichment::none;
+      const auto volume   = Enrichment::volume;
+      const auto angles   = Enrichment::angles;
+      const auto coupling = Enrichment::coupling;
+      const auto every    = {none, volume, angles, coupling};
+      static const std::vector<Description> table = {
+        {Method::block, "block", all, every, false, &none_unmet},
+        {Method::frobenius, "frobenius", all, every, false, &none_unmet},
+        {Method::spectral, "spectral", all, every, false, &none_unmet},
+        {Method::consistent, "consistent", all, every, false, &none_unmet},
+        {Method::compliance, "compliance", all, every, false, &none_unmet},
+        {Method::gelder,
+         "gelder",
+         {triangle, tetrahedron},
+         {none},
+         true,
+         &none_unmet},
+        {Method::lloyd,
+         "lloyd",
+         {triangle, quadrilateral, tetrahedron},
+         {none},
+         true,
+         &lloyd_assumptions},
+        {Method::baudet,
+         "baudet",
+         {quadrilateral, hexahedron},
+         {none, coupling},
+         true,
+         &baudet_assumptions},
+        {Method::delingette,
+         "delingette",
+         {triangle},
+         {none, coupling},
+         true,
+         &none_unmet},
+        {Method::golec, "golec", {tetrahedron}, {volume}, true, &golec_unmet}};
+      return table;
+    }
+
+    const Description &
+    description(const Method method)
+    {
+      for (const auto &entry : descriptions())
+        if (entry.method == method)
+          return entry;
+      throw std::logic_error("a fit has no description");
+    }
+  } // namespace
+
+
+  const WordTable<Method> &
+  method_words()
+  {
+    static const WordTable<Method> table = [] {
+      WordTable<Method> words;
+      for (const auto &entry : descriptions())
+        words.emplace_back(entry.method, entry.word);
+      return words;
+    }();
+    return table;
+  }
+
+
+  const std::vector<CellKind> &
+  cells_of(const Method method)
+  {
+    return description(method).cells;
+  }
+
+
+  const std::vector<Enrichment> &
+  enrichments_of(const Method method)
+  {
+    return description(method).enrichments;
+  }
+
+
+  bool
+  has_states(const Method method,
+             const Enrichment enrichment,
+             const CellKind kind)
+  {
+    return method == Method::frobenius &&
+           (enrichment != Enrichment::coupling || is_simplex(kind));
+  }
+
+
+  bool
+  is_published(const Method method)
+  {
+    return description(method).is_published;
+  }
+
+
+  std::vector<std::string>
+  unmet_assumptions(const Method method,
+                    const Eigen::MatrixXd &points,
+                    const CellKind kind,
+                    const IsotropicMaterial &material)
+  {
+    return description(method).unmet(points, kind, material);
+  }
+} // namespace springfit
