@@ -1,6 +1,7 @@
 #ifndef springfit_studies_calibrated_scene_h
 #define springfit_studies_calibrated_scene_h
 
+#include <springfit/calibration/calibrated_network.h>
 #include <springfit/core/session.h>
 #include <springfit/studies/scene.h>
 
