@@ -2,8 +2,11 @@
 #include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/object_calibration.h>
 #include <springfit/core/collective.h>
+#include <springfit/fit/object_stability.h>
 
 #include <chrono>
+#include <cmath>
+#include <optional>
 
 namespace springfit
 {
@@ -53,6 +56,7 @@ namespace springfit
       prior = constants_of_cell_fits(
         cells, mesh, element, materials, method, options, name, session);
 
+    std::optional<double> share; // of the way to the fit, where it is unstable
     // The same on every rank: a factorisation is not worth distributing.
     const auto start = std::chrono::steady_clock::now();
     ObjectFit found;
@@ -69,7 +73,12 @@ namespace springfit
           // Volumes or angles so negative that the object gives way. Where
           // these, too, are >= 0 it cannot.
           problem.nonnegative.assign(problem.terms.size(), true);
-          found = fit_object(problem, method, all_fields, prior);
+          const Eigen::VectorXd safe =
+            fit_object(problem, method, all_fields, prior).constants;
+          // Well inside, as in a fit of cells.
+          share = 0.9 * share_to_instability(problem, safe, found.constants);
+          found = judge_object(problem,
+                               (1. - *share) * safe + *share * found.constants);
         }
     });
     const std::chrono::duration<double> seconds =
@@ -81,6 +90,12 @@ namespace springfit
     result.spectral_residual  = found.spectral_residual;
     result.n_negative         = n_negative(fitted.network);
     fitted.cells              = {{0, 1, result, seconds.count()}};
+    if (share)
+      session.print(
+        "The springs of the fit '" + name +
+        "' with springs >= 0 would be unstable. They are at " +
+        std::to_string(static_cast<int>(std::lround(100. * *share))) +
+        " % of the way there from those of the fit with all constants >= 0.");
     if (found.n_unstable > 0)
       session.warn("The springs of the fit '" + name +
                    "' are unstable where nothing holds them: " +

@@ -246,6 +246,12 @@ namespace springfit
       throw RunError("The fit of the whole object gave constants that are not "
                      "finite.",
                      "Improve the mesh.");
+    return judge_object(problem, constants);
+  }
+
+  ObjectFit
+  judge_object(const ObjectProblem &problem, const Eigen::VectorXd &constants)
+  {
     const auto &R        = problem.stiffness;
     const SparseMatrix K = fitted_stiffness(problem, constants);
     const SparseMatrix E = R - K;

@@ -5,6 +5,7 @@
 #include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/free_body.h>
 #include <springfit/fit/object_fit.h>
+#include <springfit/fit/object_stability.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/network_terms.h>
 #include <springfit/springs/rigid_modes.h>
@@ -482,6 +483,47 @@ namespace
           // What is left is the weight's doing, with its square.
           EXPECT_LT(error(1e-3), 0.02 * error(1e-2) + 1e-9);
         }
+  }
+
+  /** Against the generalised eigenvalue at which dense K(t) turns singular. */
+  TEST(ObjectFit, ShareToInstabilityIsWhereAnEigenvalueVanishes)
+  {
+    Random random(321);
+    for (const CellKind kind : all_kinds)
+      {
+        const Grid grid       = make_grid(kind, 0.1, random);
+        const auto problem    = make_problem(grid, Terms::volumes, 0.1);
+        const Eigen::Index n  = problem.terms.size();
+        Eigen::VectorXd start = Eigen::VectorXd::Ones(n), end = start;
+        for (Eigen::Index m = 0; m < n; ++m)
+          end[m] = random(-1., 0.5);
+
+        const double share = share_to_instability(problem, start, end);
+
+        // On the deformations K(start) is positive definite, and with C C^T
+        // for it K(t) is as I - t (I - C^-1 K(end) C^-T).
+        const Eigen::MatrixXd K = fitted_stiffness(problem, start);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K);
+        const Eigen::Index n_rigid = grid.nodes.rows() == 2 ? 3 : 6;
+        const Eigen::Index n_soft  = K.cols() - n_rigid;
+        ASSERT_GT(solver.eigenvalues()[n_rigid], 1e-6);
+        const Eigen::MatrixXd root_inverse =
+          solver.eigenvectors().rightCols(n_soft) * solver.eigenvalues()
+                                                      .tail(n_soft)
+                                                      .cwiseSqrt()
+                                                      .cwiseInverse()
+                                                      .asDiagonal();
+        const Eigen::MatrixXd K_end = fitted_stiffness(problem, end);
+        const Eigen::MatrixXd decrease =
+          Eigen::MatrixXd::Identity(n_soft, n_soft) -
+          root_inverse.transpose() * K_end * root_inverse;
+        const double expected =
+          1. / Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(decrease)
+                 .eigenvalues()[n_soft - 1];
+        ASSERT_LT(expected, 1.);
+        EXPECT_LE(share, expected + 1e-6);
+        EXPECT_GE(share, expected - 1e-3);
+      }
   }
 
   TEST(ObjectFit, FieldsAreWhatTheySay)

@@ -19,7 +19,9 @@ namespace springfit
 {
   /**
    * Fit all springs of a mesh at once. Warns of springs that are unstable.
-   * Collective.
+   * Where with FitOptions::nonnegative they would be so, for their volumes or
+   * angles, the constants are those 90 % of the way to instability from the fit
+   * with all constants >= 0 towards them. Collective.
    *
    * @param cells every_cell() of the mesh
    * @param method one of object_methods()

@@ -114,12 +114,16 @@ namespace springfit
     unsigned int n_unstable;
   };
 
+  /** What an object with these constants is. */
+  ObjectFit
+  judge_object(const ObjectProblem &problem, const Eigen::VectorXd &constants);
+
   /**
    * @param method one of object_methods()
    * @param fields, prior see fit_displacements(); of the consistent fit
    *
-   * @throws RunError as the fit does, when the constants are not finite, or
-   * when a part of the fitted object is held by nothing.
+   * @throws RunError as the fit does, or when the constants are not
+   * finite.
    */
   ObjectFit
   fit_object(const ObjectProblem &problem,
