@@ -255,10 +255,12 @@ namespace springfit
     const auto &R        = problem.stiffness;
     const SparseMatrix K = fitted_stiffness(problem, constants);
     const SparseMatrix E = R - K;
+    const FreeBody body(K, problem.nodes);
     return {constants,
             E.norm() / R.norm(),
             spectral_norm(E) / spectral_norm(R),
-            FreeBody(K, problem.nodes).n_unstable()};
+            body.n_unstable(),
+            body.n_mechanisms()};
   }
 
   template Eigen::SparseMatrix<double>

@@ -594,6 +594,34 @@ namespace
       }
   }
 
+  /** A cell's edges hold it; each one less lets it fold. */
+  TEST(FreeBody, CountsTheMechanisms)
+  {
+    Random random(322);
+    for (const CellKind kind : {CellKind::triangle, CellKind::tetrahedron})
+      {
+        const Grid grid{oracle::random_cell(kind, random), {{}}, kind};
+        Grid cell = grid;
+        for (int v = 0; v < n_vertices(kind); ++v)
+          cell.cells[0].push_back(v);
+        const auto problem = make_problem(cell, Terms::springs, 0.3);
+        Eigen::VectorXd c  = Eigen::VectorXd::Ones(problem.terms.size());
+        for (Eigen::Index n_cut = 0; n_cut < c.size(); ++n_cut)
+          {
+            const FreeBody body(fitted_stiffness(problem, c), cell.nodes);
+            EXPECT_EQ(body.n_mechanisms(), n_cut);
+            EXPECT_EQ(body.n_unstable(), 0u);
+            c[n_cut] = 0.;
+          }
+        // What releases energy is no mechanism.
+        c.setOnes();
+        c[0] = -0.1;
+        EXPECT_EQ(
+          FreeBody(fitted_stiffness(problem, c), cell.nodes).n_mechanisms(),
+          0u);
+      }
+  }
+
   /** Two cells with one node in common, about which they turn. */
   TEST(FreeBody, HasNoResponseOfAHinge)
   {
@@ -614,6 +642,7 @@ namespace
             grid.cells[1].push_back(v);
           const FreeBody body(assembled_stiffness(grid, 0.3), nodes);
           EXPECT_EQ(body.n_unstable(), 0u);
+          EXPECT_EQ(body.n_mechanisms(), dim == 2 ? 1u : 3u);
           EXPECT_THROW(body.respond(random.matrix(nodes.size(), 1)), RunError);
         }
   }

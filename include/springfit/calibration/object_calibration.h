@@ -18,7 +18,8 @@
 namespace springfit
 {
   /**
-   * Fit all springs of a mesh at once. Warns of springs that are unstable.
+   * Fit all springs of a mesh at once. Warns of springs that are unstable or
+   * a mechanism.
    * Where with FitOptions::nonnegative they would be so, for their volumes or
    * angles, the constants are those 90 % of the way to instability from the fit
    * with all constants >= 0 towards them. Collective.

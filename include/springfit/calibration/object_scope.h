@@ -107,11 +107,9 @@ namespace springfit
     double frobenius_residual;
     double spectral_residual;
 
-    /**
-     * The deformations that release energy, or cost none: 0 in a stable
-     * object that nothing holds.
-     */
-    unsigned int n_unstable;
+    // Of the object that nothing holds.
+    unsigned int n_unstable;   // deformations that release energy
+    unsigned int n_mechanisms; // deformations that cost none
   };
 
   /** What an object with these constants is. */
