@@ -3,7 +3,6 @@
 #include <springfit/core/collective.h>
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
-#include <springfit/output/earlier_results.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
@@ -207,9 +206,6 @@ namespace springfit
                   const Eigen::MatrixXd &responses,
                   Session &session)
   {
-    // Not before the mesh and the loads are known to be good.
-    run_on_root(session.communicator(),
-                [&]() { remove_earlier_results(session.output_directory()); });
     calibrated.networks = calibrate(scene.fit,
                                     *calibrated.mesh,
                                     calibrated.element,
