@@ -214,7 +214,7 @@ namespace springfit
                                     scene.statics.material_law(),
                                     session);
     session.print(
-      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%    k min%  "
+      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%  eig min%  "
       "duality gap    time s");
     std::vector<FitRow> rows;
     for (const auto &network : calibrated.networks)
