@@ -89,6 +89,15 @@ namespace springfit
                             material_of<dim>(material));
   }
 
+  std::vector<CellModel>
+  models_of(const std::vector<TimedFit> &fits)
+  {
+    std::vector<CellModel> models;
+    for (const auto &fit : fits)
+      models.push_back(fit.result);
+    return models;
+  }
+
   template <int dim>
   std::vector<TimedFit>
   fit_distinct_cells(const DistinctCells &cells,

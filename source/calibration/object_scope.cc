@@ -246,13 +246,21 @@ namespace springfit
       throw RunError("The fit of the whole object gave constants that are not "
                      "finite.",
                      "Improve the mesh.");
+    return judge_object(problem, constants);
+  }
+
+  ObjectFit
+  judge_object(const ObjectProblem &problem, const Eigen::VectorXd &constants)
+  {
     const auto &R        = problem.stiffness;
     const SparseMatrix K = fitted_stiffness(problem, constants);
     const SparseMatrix E = R - K;
+    const FreeBody body(K, problem.nodes);
     return {constants,
             E.norm() / R.norm(),
             spectral_norm(E) / spectral_norm(R),
-            FreeBody(K, problem.nodes).n_unstable()};
+            body.n_unstable(),
+            body.n_mechanisms()};
   }
 
   template Eigen::SparseMatrix<double>

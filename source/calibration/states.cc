@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace springfit
@@ -13,6 +14,9 @@ namespace springfit
   namespace
   {
     using Words = std::vector<std::string>;
+
+    // Of what materials and meshes bear, with room to spare.
+    constexpr double largest = 10.;
 
     /** Reads one state; its errors quote all of it. */
     class StateParser
@@ -66,6 +70,8 @@ namespace springfit
             if (!(F(d, d) > 0.))
               throw error("has a stretch that is not positive: it is the "
                           "deformed length divided by that at rest.");
+            if (!(F(d, d) >= 1. / largest && F(d, d) <= largest))
+              throw error("has a stretch that is not between 0.1 and 10.");
           }
         return F;
       }
@@ -78,8 +84,11 @@ namespace springfit
           throw error("is no shear.");
         if (words[1].size() != 2 || words[1][0] == words[1][1])
           throw error("does not name two different directions, such as xy.");
-        Eigen::MatrixXd F = Eigen::MatrixXd::Identity(dim_, dim_);
-        F(axis(words[1][0]), axis(words[1][1])) = number(words[2]);
+        Eigen::MatrixXd F  = Eigen::MatrixXd::Identity(dim_, dim_);
+        const double shear = number(words[2]);
+        F(axis(words[1][0]), axis(words[1][1])) = shear;
+        if (!(std::abs(shear) <= largest))
+          throw error("has a shear that is not between -10 and 10.");
         return F;
       }
 
@@ -98,11 +107,12 @@ namespace springfit
       double
       number(const std::string &word) const
       {
-        char *end          = nullptr;
-        const double value = std::strtod(word.c_str(), &end);
-        if (end != word.c_str() + word.size() || !std::isfinite(value))
-          throw error("has '" + word + "' in place of a finite number.");
-        return value;
+        // Not the hexadecimal numbers and the words that strtod() reads.
+        static const std::regex decimal(
+          "[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)?");
+        if (!std::regex_match(word, decimal))
+          throw error("has '" + word + "' in place of a decimal number.");
+        return std::strtod(word.c_str(), nullptr);
       }
 
       const std::string state_;

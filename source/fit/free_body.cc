@@ -50,14 +50,25 @@ namespace springfit
   }
 
   unsigned int
+  FreeBody::n_below(const double shift) const
+  {
+    Eigen::SparseMatrix<double> shifted = held_;
+    shifted.diagonal().array() -= shift * held_.diagonal().maxCoeff();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(shifted);
+    return (factors.vectorD().array() < 0.).count();
+  }
+
+  unsigned int
   FreeBody::n_unstable() const
   {
-    // Lifted off zero, lest a mechanism's pivot be a rounding error of either
-    // sign.
-    Eigen::SparseMatrix<double> lifted = held_;
-    lifted.diagonal().array() += rounding * held_.diagonal().maxCoeff();
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(lifted);
-    return (factors.vectorD().array() < 0.).count();
+    // Off zero, lest a mechanism's pivot be a rounding error of either sign.
+    return n_below(-rounding);
+  }
+
+  unsigned int
+  FreeBody::n_mechanisms() const
+  {
+    return n_below(rounding) - n_below(-rounding);
   }
 
   Eigen::MatrixXd

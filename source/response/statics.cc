@@ -49,12 +49,18 @@ namespace springfit
     }
 
     ModelWords
-    words_of_springs(const std::string &fit)
+    words_of_springs(const std::string &fit, const SpringNetwork &network)
     {
-      return {"the springs of the fit '" + fit + "'",
-              "Springs of negative stiffness may cancel the others: set "
-              "'Nonnegative = true' in section Fit, or 'Solver = direct' in "
-              "section Response, or ask for another fit."};
+      return {
+        "the springs of the fit '" + fit + "'",
+        n_negative(network) > 0
+          ? "Springs of negative stiffness may cancel the others: set "
+            "'Nonnegative = true' in section Fit, or 'Solver = direct' in "
+            "section Response, or ask for another fit."
+          : "The fit may have made a mechanism, in which nodes move "
+            "without resistance: set another 'Enrichment' or another fit "
+            "in section Fit, or make the mesh finer; or set 'Solver = "
+            "direct' in section Response."};
     }
 
     ModelWords
@@ -259,7 +265,7 @@ namespace springfit
       discretization,
       NetworkBody<dim>(network),
       solver_factory(discretization, smallest_cg_linear<dim>),
-      words_of_springs(name));
+      words_of_springs(name, network));
   }
 
   template class Statics<2>;

@@ -1,4 +1,5 @@
 #include <springfit/core/collective.h>
+#include <springfit/output/earlier_results.h>
 #include <springfit/output/vtu.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/study.h>
@@ -10,6 +11,8 @@ namespace springfit
   calibrate(const Scene<dim> &scene, Session &session)
   {
     auto calibrated = make_scene(scene, session);
+    run_on_root(session.communicator(),
+                [&]() { remove_earlier_results(session.output_directory()); });
     calibrate_scene(scene, calibrated, {}, session);
 
     run_on_root(session.communicator(), [&]() {

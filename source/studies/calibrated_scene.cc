@@ -1,8 +1,8 @@
+#include <springfit/calibration/calibration.h>
 #include <springfit/comparison/homogenised_tensor.h>
 #include <springfit/core/collective.h>
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
-#include <springfit/output/earlier_results.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
@@ -173,7 +173,7 @@ namespace springfit
     calibrated.mesh =
       scene.geometry.create(session.communicator(), scene.folder);
     const auto &mesh = *calibrated.mesh;
-    scene.calibration.check_cells(mesh.cell_kind);
+    scene.fit.check_cells(mesh.cell_kind);
     calibrated.element   = make_element<dim>(mesh.cell_kind);
     calibrated.materials = scene.material.resolve(mesh);
 
@@ -206,18 +206,15 @@ namespace springfit
                   const Eigen::MatrixXd &responses,
                   Session &session)
   {
-    // Not before the mesh and the loads are known to be good.
-    run_on_root(session.communicator(),
-                [&]() { remove_earlier_results(session.output_directory()); });
-    calibrated.networks =
-      scene.calibration.calibrate(*calibrated.mesh,
-                                  calibrated.element,
-                                  calibrated.materials,
-                                  responses,
-                                  scene.statics.material_law(),
-                                  session);
+    calibrated.networks = calibrate(scene.fit,
+                                    *calibrated.mesh,
+                                    calibrated.element,
+                                    calibrated.materials,
+                                    responses,
+                                    scene.statics.material_law(),
+                                    session);
     session.print(
-      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%    k min%  "
+      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%  eig min%  "
       "duality gap    time s");
     std::vector<FitRow> rows;
     for (const auto &network : calibrated.networks)

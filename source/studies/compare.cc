@@ -2,6 +2,7 @@
 #include <springfit/comparison/errors.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/output/earlier_results.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/output/vtu.h>
@@ -302,6 +303,9 @@ namespace springfit
       scene.loads.resolve(*calibrated.mesh,
                           calibrated.element,
                           calibrated.materials.begin()->second.thickness);
+    // What follows may fail, and shall not leave them in place.
+    run_on_root(session.communicator(),
+                [&]() { remove_earlier_results(session.output_directory()); });
     auto results = find_references(scene, calibrated, loading, session);
     calibrate_scene(scene, calibrated, linear_displacements(results), session);
     find_responses(scene, calibrated, loading, results, session);

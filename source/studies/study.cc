@@ -20,25 +20,25 @@ namespace springfit
     switch (study)
       {
         case StudyKind::calibrate:
-          if (scene.calibration.needs_responses())
+          if (scene.fit.needs_responses())
             throw EntryError("Fit/Fields",
                              "'responses' are those to the scene's loads, but "
                              "this study loads nothing.",
                              "Set 'Study = compare', or leave them out.");
-          scene.calibration.check_states(scene.statics.material_law());
+          scene.fit.check_states(scene.statics.material_law());
           break;
         case StudyKind::compare:
           scene.loads.check();
           scene.statics.check();
-          scene.calibration.check_states(scene.statics.material_law());
+          scene.fit.check_states(scene.statics.material_law());
           break;
         case StudyKind::sweep:
-          if (scene.calibration.scope() == Scope::object)
+          if (scene.fit.scope() == Scope::object)
             throw EntryError("Fit/Scope",
                              "a sweep fits a single cell.",
                              "Set it to cell, or 'Study' to calibrate or "
                              "compare.");
-          if (scene.calibration.has_states())
+          if (scene.fit.has_states())
             throw EntryError("Fit/States",
                              "a sweep tests a cell at rest.",
                              "Leave it empty, or set 'Study' to calibrate or "

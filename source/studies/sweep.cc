@@ -88,7 +88,7 @@ namespace springfit
           cell_problem<dim>(cell_, kind_, matrices_, material);
 
         rows.push_back(test(in, {"fem", "none", problem.stiffness, 0}));
-        for (const auto &row : scene_.calibration.rows())
+        for (const auto &row : scene_.fit.rows())
           {
             const std::string fit = word_of(method_words(), row.method);
             for (const auto &assumption : unmet_assumptions(
@@ -97,10 +97,9 @@ namespace springfit
                 {in.youngs_modulus, in.poissons_ratio});
             try
               {
-                rows.push_back(test(in,
-                                    fit_cell(problem,
-                                             row.method,
-                                             scene_.calibration.options(row))));
+                rows.push_back(
+                  test(in,
+                       fit_cell(problem, row.method, scene_.fit.options(row))));
               }
             catch (const RunError &error)
               {
@@ -251,7 +250,7 @@ namespace springfit
         "fit                         E_out / E_in                nu_out"
         "        nu_homogenised");
       session.print(summary_line("fem", "none", rows));
-      for (const auto &row : scene.calibration.rows())
+      for (const auto &row : scene.fit.rows())
         session.print(summary_line(word_of(method_words(), row.method),
                                    word_of(enrichment_words(), row.enrichment),
                                    rows));

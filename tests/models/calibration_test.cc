@@ -37,10 +37,15 @@ namespace
     const auto folder =
       std::filesystem::temp_directory_path() / "springfit_calibration_test";
     Session session(MPI_COMM_SELF, folder);
-    const auto calibration =
-      oracle::make_step<Calibration<dim>>("subsection Fit\n" + entries + "end");
-    auto networks = calibration->calibrate(
-      mesh, make_element<dim>(mesh.cell_kind), materials, {}, law, session);
+    const auto section =
+      oracle::make_step<FitSection<dim>>("subsection Fit\n" + entries + "end");
+    auto networks = calibrate(*section,
+                              mesh,
+                              make_element<dim>(mesh.cell_kind),
+                              materials,
+                              {},
+                              law,
+                              session);
     std::filesystem::remove_all(folder);
     return networks;
   }

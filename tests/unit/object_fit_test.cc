@@ -5,6 +5,7 @@
 #include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/free_body.h>
 #include <springfit/fit/object_fit.h>
+#include <springfit/fit/object_stability.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/network_terms.h>
 #include <springfit/springs/rigid_modes.h>
@@ -484,6 +485,47 @@ namespace
         }
   }
 
+  /** Against the generalised eigenvalue at which dense K(t) turns singular. */
+  TEST(ObjectFit, ShareToInstabilityIsWhereAnEigenvalueVanishes)
+  {
+    Random random(321);
+    for (const CellKind kind : all_kinds)
+      {
+        const Grid grid       = make_grid(kind, 0.1, random);
+        const auto problem    = make_problem(grid, Terms::volumes, 0.1);
+        const Eigen::Index n  = problem.terms.size();
+        Eigen::VectorXd start = Eigen::VectorXd::Ones(n), end = start;
+        for (Eigen::Index m = 0; m < n; ++m)
+          end[m] = random(-1., 0.5);
+
+        const double share = share_to_instability(problem, start, end);
+
+        // On the deformations K(start) is positive definite, and with C C^T
+        // for it K(t) is as I - t (I - C^-1 K(end) C^-T).
+        const Eigen::MatrixXd K = fitted_stiffness(problem, start);
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K);
+        const Eigen::Index n_rigid = grid.nodes.rows() == 2 ? 3 : 6;
+        const Eigen::Index n_soft  = K.cols() - n_rigid;
+        ASSERT_GT(solver.eigenvalues()[n_rigid], 1e-6);
+        const Eigen::MatrixXd root_inverse =
+          solver.eigenvectors().rightCols(n_soft) * solver.eigenvalues()
+                                                      .tail(n_soft)
+                                                      .cwiseSqrt()
+                                                      .cwiseInverse()
+                                                      .asDiagonal();
+        const Eigen::MatrixXd K_end = fitted_stiffness(problem, end);
+        const Eigen::MatrixXd decrease =
+          Eigen::MatrixXd::Identity(n_soft, n_soft) -
+          root_inverse.transpose() * K_end * root_inverse;
+        const double expected =
+          1. / Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(decrease)
+                 .eigenvalues()[n_soft - 1];
+        ASSERT_LT(expected, 1.);
+        EXPECT_LE(share, expected + 1e-6);
+        EXPECT_GE(share, expected - 1e-3);
+      }
+  }
+
   TEST(ObjectFit, FieldsAreWhatTheySay)
   {
     Random random(317);
@@ -552,6 +594,34 @@ namespace
       }
   }
 
+  /** A cell's edges hold it; each one less lets it fold. */
+  TEST(FreeBody, CountsTheMechanisms)
+  {
+    Random random(322);
+    for (const CellKind kind : {CellKind::triangle, CellKind::tetrahedron})
+      {
+        const Grid grid{oracle::random_cell(kind, random), {{}}, kind};
+        Grid cell = grid;
+        for (int v = 0; v < n_vertices(kind); ++v)
+          cell.cells[0].push_back(v);
+        const auto problem = make_problem(cell, Terms::springs, 0.3);
+        Eigen::VectorXd c  = Eigen::VectorXd::Ones(problem.terms.size());
+        for (Eigen::Index n_cut = 0; n_cut < c.size(); ++n_cut)
+          {
+            const FreeBody body(fitted_stiffness(problem, c), cell.nodes);
+            EXPECT_EQ(body.n_mechanisms(), n_cut);
+            EXPECT_EQ(body.n_unstable(), 0u);
+            c[n_cut] = 0.;
+          }
+        // What releases energy is no mechanism.
+        c.setOnes();
+        c[0] = -0.1;
+        EXPECT_EQ(
+          FreeBody(fitted_stiffness(problem, c), cell.nodes).n_mechanisms(),
+          0u);
+      }
+  }
+
   /** Two cells with one node in common, about which they turn. */
   TEST(FreeBody, HasNoResponseOfAHinge)
   {
@@ -572,6 +642,7 @@ namespace
             grid.cells[1].push_back(v);
           const FreeBody body(assembled_stiffness(grid, 0.3), nodes);
           EXPECT_EQ(body.n_unstable(), 0u);
+          EXPECT_EQ(body.n_mechanisms(), dim == 2 ? 1u : 3u);
           EXPECT_THROW(body.respond(random.matrix(nodes.size(), 1)), RunError);
         }
   }

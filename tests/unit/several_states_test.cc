@@ -489,6 +489,12 @@ namespace
   {
     EXPECT_TRUE(parse_states("", 3, "Fit/States").empty());
     EXPECT_TRUE(parse_states(" ", 2, "Fit/States").empty());
+    EXPECT_EQ(
+      parse_states("stretch x 0.1 y 10, stretch x +.5 y 2., shear xy -1e1",
+                   2,
+                   "Fit/States")
+        .size(),
+      3u);
 
     const auto plane =
       parse_states("stretch x 1.3,  shear  yx -0.25 ", 2, "Fit/States");
@@ -523,14 +529,24 @@ namespace
       {"stretch x 1.3 x 1.2", "the direction x twice"},
       {"stretch x 0", "not positive"},
       {"stretch x -1", "not positive"},
-      {"stretch x nan", "'nan' in place of a finite number"},
-      {"stretch x 1.3m", "'1.3m' in place of a finite number"},
+      {"stretch x nan", "'nan' in place of a decimal number"},
+      {"stretch x 1.3m", "'1.3m' in place of a decimal number"},
       {"stretch x 1", "the state at rest"},
       {"shear xy 0", "the state at rest"},
       {"shear x 0.3", "two different directions"},
       {"shear xx 0.3", "two different directions"},
       {"shear xz 0.3", "'z', which there is not in 2-d"},
-      {"shear xy inf", "'inf' in place of a finite number"},
+      {"shear xy inf", "'inf' in place of a decimal number"},
+      {"stretch x 0x2", "'0x2' in place of a decimal number"},
+      {"stretch x 1.3f", "'1.3f' in place of a decimal number"},
+      {"stretch x .", "'.' in place of a decimal number"},
+      {"stretch x 1e9", "a stretch that is not between 0.1 and 10"},
+      {"stretch x 1 y 10.01", "a stretch that is not between 0.1 and 10"},
+      {"stretch x 0.0999", "a stretch that is not between 0.1 and 10"},
+      {"stretch x 1e-9", "a stretch that is not between 0.1 and 10"},
+      {"stretch x 1e400", "a stretch that is not between 0.1 and 10"},
+      {"shear xy 10.01", "a shear that is not between -10 and 10"},
+      {"shear xy -11", "a shear that is not between -10 and 10"},
       {"shear xy", "is no shear"},
       {"shear xy 0.3, shear xy 0.3", "is given twice"}};
     for (const auto &[text, message] : cases)

@@ -63,6 +63,9 @@ namespace springfit
     double seconds;
   };
 
+  std::vector<CellModel>
+  models_of(const std::vector<TimedFit> &fits);
+
   /**
    * Fit every distinct cell of a mesh; the ranks share the work evenly.
    * Collective.

@@ -107,19 +107,21 @@ namespace springfit
     double frobenius_residual;
     double spectral_residual;
 
-    /**
-     * The deformations that release energy, or cost none: 0 in a stable
-     * object that nothing holds.
-     */
-    unsigned int n_unstable;
+    // Of the object that nothing holds.
+    unsigned int n_unstable;   // deformations that release energy
+    unsigned int n_mechanisms; // deformations that cost none
   };
+
+  /** What an object with these constants is. */
+  ObjectFit
+  judge_object(const ObjectProblem &problem, const Eigen::VectorXd &constants);
 
   /**
    * @param method one of object_methods()
    * @param fields, prior see fit_displacements(); of the consistent fit
    *
-   * @throws RunError as the fit does, when the constants are not finite, or
-   * when a part of the fitted object is held by nothing.
+   * @throws RunError as the fit does, or when the constants are not
+   * finite.
    */
   ObjectFit
   fit_object(const ObjectProblem &problem,

@@ -19,8 +19,9 @@ namespace springfit
    * points along x in proportion to y. det F > 0. The list may be empty, and
    * does not name the state at rest.
    *
-   * @throws EntryError when what is written is no such list, a stretch is not
-   * positive, or a state is at rest or given twice. @p entry names the
+   * @throws EntryError when what is written is no such list, a number is no
+   * decimal one, a stretch is not in [0.1, 10] or a shear not in [-10, 10], or
+   * a state is at rest or given twice. @p entry names the
    * parameter.
    */
   std::vector<Eigen::MatrixXd>

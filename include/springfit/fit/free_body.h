@@ -34,6 +34,13 @@ namespace springfit
     n_unstable() const;
 
     /**
+     * The number of independent deformations that cost no energy, or so little
+     * that rounding errors hide it.
+     */
+    unsigned int
+    n_mechanisms() const;
+
+    /**
      * The displacements without rigid motions (m) under the part of
      * @p forces (n x n_cases, N) that is in equilibrium: the Moore-Penrose
      * inverse of the stiffness.
@@ -48,6 +55,12 @@ namespace springfit
     deformation(const Eigen::MatrixXd &displacements) const;
 
   private:
+    /**
+     * How many eigenvalues are below @p shift times the largest diagonal entry.
+     */
+    unsigned int
+    n_below(double shift) const;
+
     Eigen::MatrixXd rigid_;
     std::vector<Eigen::Index> free_;
     Eigen::SparseMatrix<double> held_; // of the free ones

@@ -1,6 +1,7 @@
 #ifndef springfit_studies_calibrated_scene_h
 #define springfit_studies_calibrated_scene_h
 
+#include <springfit/calibration/calibrated_network.h>
 #include <springfit/core/session.h>
 #include <springfit/studies/scene.h>
 
@@ -32,8 +33,7 @@ namespace springfit
    * Fit the springs, say what the fits reached and what the springs can and
    * cannot deliver, and write fit.csv, nodes.csv, springs_<fit>.csv and, where
    * a network has them, couplings_<fit>.csv, angles_<fit>.csv and
-   * volumes_<fit>.csv. Results of an earlier run in the output folder are
-   * removed first.
+   * volumes_<fit>.csv.
    *
    * @param responses displacements of the linear finite elements under the
    * scene's loads, one per column, row dim * v + d for component d of vertex v;

@@ -1,7 +1,7 @@
 #ifndef springfit_studies_scene_h
 #define springfit_studies_scene_h
 
-#include <springfit/calibration/calibration.h>
+#include <springfit/calibration/fit_section.h>
 #include <springfit/mesh/geometry.h>
 #include <springfit/reference/material.h>
 #include <springfit/response/loads.h>
@@ -24,7 +24,7 @@ namespace springfit
 
     Geometry<dim> geometry;
     Material<dim> material;
-    Calibration<dim> calibration;
+    FitSection<dim> fit;
     Loads<dim> loads;
     Statics<dim> statics;
     SweepRange<dim> sweep_range;

@@ -1,0 +1,139 @@
+#include <springfit/calibration/cell_fits.h>
+#include <springfit/calibration/cell_network.h>
+#include <springfit/calibration/object_calibration.h>
+#include <springfit/core/collective.h>
+#include <springfit/fit/object_stability.h>
+
+#include <chrono>
+#include <cmath>
+#include <optional>
+
+namespace springfit
+{
+  namespace
+  {
+    /** The constants that the same fit of the cells gives. */
+    template <int dim>
+    Eigen::VectorXd
+    constants_of_cell_fits(const DistinctCells &cells,
+                           const Mesh<dim> &mesh,
+                           const Element<dim> &element,
+                           const MaterialTable &materials,
+                           const Method method,
+                           const FitOptions &options,
+                           const std::string &name,
+                           Session &session)
+    {
+      const auto fits = fit_distinct_cells<dim>(
+        cells, mesh, element, materials, method, options, {}, name, session);
+      return constants_of(
+        assemble_network(mesh, cells, models_of(fits), element, materials));
+    }
+  } // namespace
+
+  template <int dim>
+  FittedNetwork
+  calibrate_object(const DistinctCells &cells,
+                   const Mesh<dim> &mesh,
+                   const Element<dim> &element,
+                   const MaterialTable &materials,
+                   const Method method,
+                   const FitOptions &options,
+                   const std::vector<Field> &fields,
+                   const Eigen::MatrixXd &responses,
+                   const std::string &name,
+                   Session &session)
+  {
+    // What the mesh has, with constants of one.
+    const std::vector<CellModel> units(cells.distinct.size(),
+                                       unit_model(mesh.cell_kind,
+                                                  options.enrichment));
+    const auto unit_network =
+      assemble_network(mesh, cells, units, element, materials);
+
+    Eigen::VectorXd prior;
+    if (method == Method::consistent)
+      prior = constants_of_cell_fits(
+        cells, mesh, element, materials, method, options, name, session);
+
+    std::optional<double> share; // of the way to the fit, where it is unstable
+    // The same on every rank: a factorisation is not worth distributing.
+    const auto start = std::chrono::steady_clock::now();
+    ObjectFit found;
+    run_collectively(session.communicator(), [&]() {
+      auto problem =
+        make_object_problem<dim>(unit_network,
+                                 object_stiffness(mesh, element, materials),
+                                 options.nonnegative);
+      const auto all_fields = displacement_fields(fields, problem, responses);
+      found                 = fit_object(problem, method, all_fields, prior);
+      if (found.n_unstable > 0 && options.nonnegative &&
+          options.enrichment != Enrichment::coupling)
+        {
+          // Volumes or angles so negative that the object gives way. Where
+          // these, too, are >= 0 it cannot.
+          problem.nonnegative.assign(problem.terms.size(), true);
+          const Eigen::VectorXd safe =
+            fit_object(problem, method, all_fields, prior).constants;
+          // Well inside, as in a fit of cells.
+          share = 0.9 * share_to_instability(problem, safe, found.constants);
+          found = judge_object(problem,
+                               (1. - *share) * safe + *share * found.constants);
+        }
+    });
+    const std::chrono::duration<double> seconds =
+      std::chrono::steady_clock::now() - start;
+
+    FittedNetwork fitted{with_constants(unit_network, found.constants), {}};
+    FitResult result{};
+    result.frobenius_residual = found.frobenius_residual;
+    result.spectral_residual  = found.spectral_residual;
+    result.n_negative         = n_negative(fitted.network);
+    fitted.cells              = {{0, 1, result, seconds.count()}};
+    if (share)
+      session.print(
+        "The springs of the fit '" + name +
+        "' with springs >= 0 would be unstable. They are at " +
+        std::to_string(static_cast<int>(std::lround(100. * *share))) +
+        " % of the way there from those of the fit with all constants >= 0.");
+    if (found.n_unstable > 0)
+      session.warn("The springs of the fit '" + name +
+                   "' are unstable where nothing holds them: " +
+                   std::to_string(found.n_unstable) +
+                   " of their deformations release energy." +
+                   (options.nonnegative
+                      ? ""
+                      : " Set 'Nonnegative = true' in section Fit."));
+    if (found.n_mechanisms > 0)
+      session.warn(
+        "The springs of the fit '" + name +
+        "' make the object a mechanism: " + std::to_string(found.n_mechanisms) +
+        " of its deformations cost no energy, as springs that hold "
+        "them are zero. Set another 'Enrichment' or another fit in "
+        "'Methods' of section Fit, or make the mesh finer.");
+    return fitted;
+  }
+
+  template FittedNetwork
+  calibrate_object<2>(const DistinctCells &,
+                      const Mesh<2> &,
+                      const Element<2> &,
+                      const MaterialTable &,
+                      Method,
+                      const FitOptions &,
+                      const std::vector<Field> &,
+                      const Eigen::MatrixXd &,
+                      const std::string &,
+                      Session &);
+  template FittedNetwork
+  calibrate_object<3>(const DistinctCells &,
+                      const Mesh<3> &,
+                      const Element<3> &,
+                      const MaterialTable &,
+                      Method,
+                      const FitOptions &,
+                      const std::vector<Field> &,
+                      const Eigen::MatrixXd &,
+                      const std::string &,
+                      Session &);
+} // namespace springfit
