@@ -115,12 +115,14 @@ namespace springfit
       session.print("\nThe networks as materials (affine deformation; E Pa, "
                     "anisotropy relative to C):");
       std::vector<YoungPoisson> delivered;
+      std::vector<double> anisotropies;
       for (const auto &network : calibrated.networks)
         {
           const auto part = isotropic_part(
             homogenised_tensor(network.network, calibrated.volume));
           delivered.push_back(
             constants_of<dim>(part, scene.material.plane_state()));
+          anisotropies.push_back(part.anisotropy);
           session.print(formatted("  %-20s E %.6g, nu %.4f, anisotropy %.1f %%",
                                   network.name.c_str(),
                                   delivered.back().youngs_modulus,
@@ -161,6 +163,17 @@ namespace springfit
               calibrated.networks[n].name.c_str(),
               *wanted.begin(),
               delivered[n].poissons_ratio));
+
+      constexpr double much = 0.1;
+      for (std::size_t n = 0; n < anisotropies.size(); ++n)
+        if (!has_springs_alone(calibrated.networks[n].network) &&
+            anisotropies[n] > much)
+          session.warn(formatted(
+            "The network '%s' is not isotropic: %.0f %% of its tensor depend "
+            "on directions. Take the fit 'consistent' and cells about as long "
+            "as wide, or set 'Enrichment = coupling' in section Fit.",
+            calibrated.networks[n].name.c_str(),
+            100. * anisotropies[n]));
     }
   } // namespace
 
