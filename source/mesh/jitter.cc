@@ -128,9 +128,10 @@ namespace springfit
           text_of(fraction) + " turns " + describe_cell(jittered, bad.front()) +
             " inside out or makes it flat (" + std::to_string(bad.size()) +
             " of " + std::to_string(mesh.n_cells()) + " cells).",
-          "Lower it to " +
-            (harmless > 0. ? text_of(harmless) : "less than 0.01") +
-            ", which this mesh can bear.");
+          harmless > 0.
+            ? "Lower it to " + text_of(harmless) + ", which this mesh can bear."
+            : "Lower it to less than " + text_of(std::min(fraction, 0.01)) +
+                ", or leave it 0: this mesh can bear next to none.");
       }
 
     if (jittered.vertices == mesh.vertices && fraction > 0.)

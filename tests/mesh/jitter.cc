@@ -261,6 +261,38 @@ TEST(Jitter, ThatTurnsACellInsideOutIsRefusedAndALowerOneNamed)
     }
 }
 
+TEST(Jitter, OfNextToFlatCellsIsRefusedAtAnyHundredth)
+{
+  // A square about a vertex that is nearly on one of its sides.
+  MeshDescription mesh;
+  mesh.name         = "The mesh";
+  mesh.cell_kind    = CellKind::triangle;
+  mesh.vertices     = {{{0., 0., 0.}},
+                       {{1., 0., 0.}},
+                       {{1., 1., 0.}},
+                       {{0., 1., 0.}},
+                       {{0.5, 1e-9, 0.}}};
+  mesh.cells        = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+  mesh.material_ids = {0, 0, 0, 0};
+  int n_refused     = 0;
+  for (const double fraction : {0.004, 0.3})
+    try
+      {
+        auto jittered = mesh;
+        jitter(jittered, fraction);
+      }
+    catch (const EntryError &error)
+      {
+        ++n_refused;
+        const std::string message = error.what();
+        EXPECT_NE(message.find(fraction < 0.01 ? "Lower it to less than 0.004"
+                                               : "Lower it to less than 0.01"),
+                  std::string::npos)
+          << message;
+      }
+  EXPECT_EQ(n_refused, 2);
+}
+
 TEST(Jitter, OutOfRangeIsRefused)
 {
   for (const std::string value : {"-0.1", "0.5", "1e300"})

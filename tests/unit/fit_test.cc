@@ -187,6 +187,26 @@ namespace
     EXPECT_THROW(fit(problem, Method::spectral, {}), RunError);
   }
 
+  /** Their equations are nearly singular: the flattest ones take many
+   * corrections. */
+  TEST(Fit, ComplianceOfFlatTetrahedra)
+  {
+    FitOptions options;
+    options.enrichment  = Enrichment::angles;
+    options.nonnegative = true;
+    for (const double nu : {0., 0.1, 0.3, 0.45})
+      for (const double height : {0.1, 0.03, 0.01})
+        {
+          Eigen::MatrixXd points = oracle::regular_cell(CellKind::tetrahedron);
+          points.row(2) *= height / points.row(2).maxCoeff();
+          const auto problem =
+            oracle::fit_problem(points, CellKind::tetrahedron, nu);
+          const auto found = fit(problem, Method::compliance, options);
+          EXPECT_EQ(found.n_negative, 0u);
+          EXPECT_GE(*found.smallest_eigenvalue, -1e-10);
+        }
+  }
+
   TEST(Fit, Words)
   {
     EXPECT_EQ(words_of(method_words()),

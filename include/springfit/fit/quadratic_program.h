@@ -31,8 +31,9 @@ namespace springfit
                      const Eigen::VectorXd &g,
                      const std::vector<bool> &nonnegative);
 
+  /** A dense G is scaled in place; besides it there are only its factors. */
   Eigen::VectorXd
-  minimise_quadratic(const Eigen::MatrixXd &G,
+  minimise_quadratic(Eigen::MatrixXd G,
                      const Eigen::VectorXd &g,
                      const std::vector<bool> &nonnegative);
 } // namespace springfit
