@@ -10,7 +10,10 @@ import pathlib
 import sys
 from paraview.simple import *
 
-folder, case, fit, picture = sys.argv[1:5]
+if len(sys.argv) != 5:
+    sys.exit("usage: pvbatch scripts/picture.py FOLDER CASE FIT PICTURE.png, such as "
+             "output/cube torsion spectral cube.png")
+folder, case, fit, picture = sys.argv[1:]
 network = fit[:-len("_nonlinear")] if fit.endswith("_nonlinear") else fit
 for needed in (f"{case}_fem", f"{case}_{fit}", f"springs_{network}"):
     if not (pathlib.Path(folder) / f"{needed}.vtu").exists():

@@ -45,10 +45,10 @@ def _figures(run, folder):
 def table(runs, folder):
     """'runs' are all of them, 'folder' is where they are."""
     body = []
-    for object_, cells in PAPER_OBJECTS:
-        name = f"{object_}, {cells}"
+    for object_, cells, mesh in PAPER_OBJECTS:
+        name = f"{object_}, {cells}" + (", distorted" if mesh == "distorted" else "")
         for run in runs:
-            if (run.role, run.object, run.cells) == ("paper", object_, cells):
+            if (run.role, run.object, run.cells, run.mesh) == ("paper", object_, cells, mesh):
                 body.append([name, run.scope, f"`{run.title}`", *_figures(run, folder)])
                 name = ""
         body.append(["", "", "best published", "", "",
@@ -61,4 +61,5 @@ def commands(runs):
     shown = {run.scope: run for run in runs if run.role == "paper" and "frobenius" in run.title}
     return "\n".join(command(dataclasses.replace(
         run, scene="parameters/paper/<object>_<cells>.prm",
-        options=("Fit/Methods=<fit>", *run.options[1:]))) for run in shown.values())
+        options=("Fit/Methods=<fit>", *run.options[1:])), jitter="<jitter>")
+        for run in shown.values())

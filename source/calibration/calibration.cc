@@ -142,6 +142,8 @@ namespace springfit
   {
     section.check_cells(mesh.cell_kind);
     section.check_states(law);
+    for (const auto &sentence : section.unused_entries(mesh.cell_kind))
+      session.warn(sentence);
     const auto cells = distinct_cells(section, mesh);
     warn_of_assumptions(section, cells, mesh, materials, session);
 

@@ -313,6 +313,27 @@ namespace springfit
                            "with coupling on triangles and tetrahedra only.");
   }
 
+  template <int dim>
+  std::vector<std::string>
+  FitSection<dim>::unused_entries(const CellKind kind) const
+  {
+    const auto all = rows();
+    const bool is_consistent =
+      std::any_of(all.begin(), all.end(), [](const Row &row) {
+        return row.method == Method::consistent;
+      });
+    std::vector<std::string> sentences;
+    if (options_.norm == Norm::spectral &&
+        (!is_consistent || scope_ == Scope::object || is_simplex(kind)))
+      sentences.push_back("Fit/Norm is not used: it is of the fit 'consistent' "
+                          "of single quadrilaterals and hexahedra.");
+    if (fields() != std::vector<Field>{Field::responses} &&
+        (!is_consistent || scope_ == Scope::cell))
+      sentences.push_back("Fit/Fields is not used: it is of the fit "
+                          "'consistent' with 'Scope = object'.");
+    return sentences;
+  }
+
   template class FitSection<2>;
   template class FitSection<3>;
 } // namespace springfit

@@ -71,9 +71,10 @@ namespace springfit
           text << "The fit 'compliance' has dense equations for " << n
                << " constants, more than " << largest
                << ": they would take about " << gigabytes << " GB of memory.";
-          throw RunError(text.str(),
-                         "Take a coarser mesh, or the fit 'frobenius', whose "
-                         "matrices are sparse.");
+          throw RunError(
+            text.str(),
+            "Take a coarser mesh, or the fit 'consistent', of single "
+            "cells or, with 'Scope = object', of the whole.");
         }
     }
 

@@ -129,11 +129,15 @@ namespace springfit
       words.pop_back(); // torsion
     cases_word_ = join(words);
 
-    add_parameter("Cases",
-                  cases_word_,
-                  "Load cases, each a row of the tables: " + join(words) +
-                    " (no unit)." +
-                    (dim == 2 ? " Torsion needs three dimensions." : ""));
+    add_parameter(
+      "Cases",
+      cases_word_,
+      "Load cases, each a row of the tables: " + join(words) +
+        " (no unit). Tension pulls the loaded boundaries along their "
+        "mean outward normal, compression against it, shear along "
+        "the coordinate direction most perpendicular to it; "
+        "torsion turns them about it." +
+        (dim == 2 ? " Torsion needs three dimensions." : ""));
     add_parameter("Fixed boundaries",
                   fixed_boundaries_,
                   "Boundary ids or physical names whose nodes are held in all "

@@ -146,7 +146,8 @@ namespace springfit
                 session.warn(formatted(
                   "Springs alone cannot honour Poisson's ratio %.4g: a network "
                   "of springs delivers %.4g in this setting, whatever their "
-                  "stiffness.",
+                  "stiffness. 'Enrichment' can, in section Fit: volume or "
+                  "coupling.",
                   nu,
                   delivered[n].poissons_ratio));
             break; // It is the same for all of them.

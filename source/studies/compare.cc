@@ -9,14 +9,18 @@
 #include <springfit/reference/material_law.h>
 #include <springfit/response/network_body.h>
 #include <springfit/response/stability.h>
+#include <springfit/response/statics.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/responses.h>
 #include <springfit/studies/study.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -44,6 +48,40 @@ namespace springfit
           scene.material.plane_state() == PlaneState::strain)
         return from_plane_strain(*apparent);
       return apparent;
+    }
+
+    std::string
+    describe(const Loading &loading)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "Loads: the pull is along (";
+      for (Eigen::Index d = 0; d < loading.axis.size(); ++d)
+        text << (d > 0 ? ", " : "")
+             << (std::abs(loading.axis[d]) < 1e-6 ? 0. : loading.axis[d]);
+      text << "), where the object measures " << loading.extent << " m.\n";
+      return text.str();
+    }
+
+    /** Say it where no pair of models has the same kinematics. */
+    template <int dim>
+    void
+    warn_of_kinematics(const Statics<dim> &statics, Session &session)
+    {
+      const auto of_springs = statics.kinematics();
+      const auto have       = [&](const Kinematics kinematics) {
+        return std::find(of_springs.begin(), of_springs.end(), kinematics) !=
+               of_springs.end();
+      };
+      const bool is_linear = statics.material_law() == MaterialLaw::linear;
+      if (is_linear && !have(Kinematics::linear))
+        session.warn("Nonlinear springs are compared with linear finite "
+                     "elements. Set 'Material law' in section Response to "
+                     "compare with nonlinear ones.");
+      if (!is_linear && !have(Kinematics::nonlinear))
+        session.warn("Linear springs are compared with nonlinear finite "
+                     "elements. Set 'Kinematics = nonlinear' in section "
+                     "Response to compare nonlinear ones.");
     }
 
     /** Springs of stiffness >= 0 alone cannot. */
@@ -303,6 +341,8 @@ namespace springfit
       scene.loads.resolve(*calibrated.mesh,
                           calibrated.element,
                           calibrated.materials.begin()->second.thickness);
+    session.print(describe(loading));
+    warn_of_kinematics(scene.statics, session);
     // What follows may fail, and shall not leave them in place.
     run_on_root(session.communicator(),
                 [&]() { remove_earlier_results(session.output_directory()); });

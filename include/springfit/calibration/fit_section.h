@@ -64,6 +64,10 @@ namespace springfit
     std::vector<Field>
     fields() const;
 
+    /** Sentences on entries that were set and change nothing. */
+    std::vector<std::string>
+    unused_entries(CellKind kind) const;
+
     /** Whether fits need the scene's responses to its loads. */
     bool
     needs_responses() const;
