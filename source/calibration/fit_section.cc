@@ -20,15 +20,6 @@ namespace springfit
       return join(words, " and ");
     }
 
-    std::string
-    object_enrichment_words()
-    {
-      std::vector<std::string> words;
-      for (const Enrichment enrichment : object_enrichments())
-        words.push_back(word_of(enrichment_words(), enrichment));
-      return join(words);
-    }
-
     /** @throws EntryError when there is no such fit of the whole object. */
     void
     check_object_scope(const Method method)
@@ -42,6 +33,15 @@ namespace springfit
           "Set 'Scope = cell', or for the whole object 'Methods' "
           "to " +
             object_words() + '.');
+    }
+    /** Whether any row is of the consistent fit. */
+    template <typename Row>
+    bool
+    any_consistent(const std::vector<Row> &rows)
+    {
+      return std::any_of(rows.begin(), rows.end(), [](const Row &row) {
+        return row.method == Method::consistent;
+      });
     }
   } // namespace
 
@@ -82,8 +82,7 @@ namespace springfit
                   "What a fit finds at once: the springs of a cell, or all "
                   "springs of the object (cell or object; no unit). For the "
                   "object there are " +
-                    object_words() + ", with the enrichments " +
-                    object_enrichment_words() +
+                    object_words() +
                     "; the time of compliance grows with the third power of "
                     "the number of springs.");
     add_parameter("Fields",
@@ -155,13 +154,8 @@ namespace springfit
   {
     if (scope_ != Scope::object)
       return false;
-    const auto all = rows();
-    const bool is_needed =
-      std::any_of(all.begin(), all.end(), [](const Row &row) {
-        return row.method == Method::consistent;
-      });
     const auto wanted = fields();
-    return is_needed &&
+    return any_consistent(rows()) &&
            std::find(wanted.begin(), wanted.end(), Field::responses) !=
              wanted.end();
   }
@@ -245,8 +239,7 @@ namespace springfit
       {
         if (scope_ == Scope::object)
           check_object_scope(method);
-        const auto &known   = scope_ == Scope::object ? object_enrichments()
-                                                      : enrichments_of(method);
+        const auto &known   = enrichments_of(method);
         const auto n_rows   = rows.size();
         const auto is_known = [&](const Enrichment enrichment) {
           return std::find(known.begin(), known.end(), enrichment) !=
@@ -317,18 +310,14 @@ namespace springfit
   std::vector<std::string>
   FitSection<dim>::unused_entries(const CellKind kind) const
   {
-    const auto all = rows();
-    const bool is_consistent =
-      std::any_of(all.begin(), all.end(), [](const Row &row) {
-        return row.method == Method::consistent;
-      });
+    const bool has_consistent = any_consistent(rows());
     std::vector<std::string> sentences;
     if (options_.norm == Norm::spectral &&
-        (!is_consistent || scope_ == Scope::object || is_simplex(kind)))
+        (!has_consistent || scope_ == Scope::object || is_simplex(kind)))
       sentences.push_back("Fit/Norm is not used: it is of the fit 'consistent' "
                           "of single quadrilaterals and hexahedra.");
     if (fields() != std::vector<Field>{Field::responses} &&
-        (!is_consistent || scope_ == Scope::cell))
+        (!has_consistent || scope_ == Scope::cell))
       sentences.push_back("Fit/Fields is not used: it is of the fit "
                           "'consistent' with 'Scope = object'.");
     return sentences;

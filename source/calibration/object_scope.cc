@@ -100,16 +100,6 @@ namespace springfit
     return methods;
   }
 
-  const std::vector<Enrichment> &
-  object_enrichments()
-  {
-    static const std::vector<Enrichment> enrichments = {Enrichment::none,
-                                                        Enrichment::volume,
-                                                        Enrichment::angles,
-                                                        Enrichment::coupling};
-    return enrichments;
-  }
-
   CellModel
   unit_model(const CellKind kind, const Enrichment enrichment)
   {

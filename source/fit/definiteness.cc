@@ -23,9 +23,9 @@ namespace springfit
   }
 
   bool
-  is_definite(const FitProblem &problem, const CellModel &model)
+  is_definite(const double smallest_eigenvalue)
   {
-    return smallest_eigenvalue(problem, model) >= zero_eigenvalue;
+    return smallest_eigenvalue >= zero_eigenvalue;
   }
 
   CellModel
@@ -36,10 +36,10 @@ namespace springfit
     double inside = 0., outside = 1.;
     while (outside - inside > 1e-3)
       {
-        const double middle = 0.5 * (inside + outside);
-        (is_definite(problem, between(safe, wanted, middle)) ? inside
-                                                             : outside) =
-          middle;
+        const double middle     = 0.5 * (inside + outside);
+        const CellModel between = springfit::between(safe, wanted, middle);
+        (is_definite(smallest_eigenvalue(problem, between)) ? inside
+                                                            : outside) = middle;
       }
     return between(safe, wanted, 0.9 * inside);
   }

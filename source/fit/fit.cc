@@ -253,7 +253,8 @@ namespace springfit
       const Eigen::Index n_nonnegative =
         options.nonnegative ? problem.springs.size() : 0;
       const CellModel found = fit_coupled_over_states(problem, n_nonnegative);
-      if (!options.nonnegative || is_definite(problem, found))
+      if (!options.nonnegative ||
+          is_definite(smallest_eigenvalue(problem, found)))
         return {found};
       // At rest it equals the reference.
       return {furthest_definite(problem, fit_coupled_cell(problem), found)};
@@ -276,7 +277,7 @@ namespace springfit
         return fit(0);
 
       const Constants found = fit(terms.n_springs);
-      if (is_definite(problem, found.model))
+      if (is_definite(smallest_eigenvalue(problem, found.model)))
         return found;
       // Volumes or angles so negative that the cell gives way. With all
       // constants >= 0 it cannot.
@@ -373,7 +374,7 @@ namespace springfit
     const bool is_exact =
       options.enrichment == Enrichment::coupling && problem.states.empty();
     if (!is_published(method) && options.nonnegative && !is_exact &&
-        !is_definite(problem, found.model))
+        !is_definite(*result.smallest_eigenvalue))
       throw RunError(not_definite(*result.smallest_eigenvalue, options),
                      "Improve the mesh there, or choose another material.");
     return result;

@@ -55,10 +55,6 @@ namespace springfit
   const std::vector<Method> &
   object_methods();
 
-  /** What all cells can have in a fit of a whole object. */
-  const std::vector<Enrichment> &
-  object_enrichments();
-
   /** The springs and enrichments of a cell, with constants of one. */
   CellModel
   unit_model(CellKind kind, Enrichment enrichment);

@@ -13,9 +13,12 @@ namespace springfit
   double
   smallest_eigenvalue(const FitProblem &problem, const CellModel &model);
 
-  /** Whether the cell releases energy in no deformation, up to rounding. */
+  /**
+   * Whether a cell with this smallest eigenvalue releases energy in no
+   * deformation, up to rounding.
+   */
   bool
-  is_definite(const FitProblem &problem, const CellModel &model);
+  is_definite(double smallest_eigenvalue);
 
   /**
    * 90 % of the way from @p safe towards @p wanted on which the cell stays
