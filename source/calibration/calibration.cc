@@ -121,7 +121,7 @@ namespace springfit
 
       if (options.enrichment != Enrichment::none)
         warn_of_indefinite_cells(fits, name, session);
-      const unsigned int n = n_negative(fitted.network);
+      const unsigned int n = n_negative(fitted.network.families);
       if (options.nonnegative && is_published(method) && n > 0)
         session.warn("Of the springs of '" + name + "' " + std::to_string(n) +
                      " are negative: 'Nonnegative' does not change the "
@@ -167,6 +167,7 @@ namespace springfit
                                materials,
                                row.method,
                                section.options(row),
+                               section.spring_law(),
                                section.fields(),
                                responses,
                                name,
@@ -180,7 +181,6 @@ namespace springfit
                               {section.states(), law, section.spring_law()},
                               name,
                               session);
-        fitted.network.law = section.spring_law();
         networks.push_back({std::move(fitted),
                             name,
                             fit,

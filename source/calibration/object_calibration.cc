@@ -2,6 +2,7 @@
 #include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/object_calibration.h>
 #include <springfit/core/collective.h>
+#include <springfit/fit/cell_terms.h>
 #include <springfit/fit/object_stability.h>
 
 #include <chrono>
@@ -21,13 +22,22 @@ namespace springfit
                            const MaterialTable &materials,
                            const Method method,
                            const FitOptions &options,
+                           const SpringLaw law,
                            const std::string &name,
                            Session &session)
     {
-      const auto fits = fit_distinct_cells<dim>(
-        cells, mesh, element, materials, method, options, {}, name, session);
+      const auto fits = fit_distinct_cells<dim>(cells,
+                                                mesh,
+                                                element,
+                                                materials,
+                                                method,
+                                                options,
+                                                {{}, MaterialLaw::linear, law},
+                                                name,
+                                                session);
       return constants_of(
-        assemble_network(mesh, cells, models_of(fits), element, materials));
+        assemble_network(mesh, cells, models_of(fits), element, materials)
+          .families);
     }
   } // namespace
 
@@ -39,22 +49,32 @@ namespace springfit
                    const MaterialTable &materials,
                    const Method method,
                    const FitOptions &options,
+                   const SpringLaw law,
                    const std::vector<Field> &fields,
                    const Eigen::MatrixXd &responses,
                    const std::string &name,
                    Session &session)
   {
     // What the mesh has, with constants of one.
-    const std::vector<CellModel> units(cells.distinct.size(),
-                                       unit_model(mesh.cell_kind,
-                                                  options.enrichment));
+    const auto iterators = cells_by_index(mesh);
+    std::vector<CellModel> units;
+    CellMatrices<dim> cell_matrices(element);
+    for (const auto &distinct : cells.distinct)
+      {
+        auto problem = cell_problem<dim>(iterators[distinct.representative],
+                                         mesh.cell_kind,
+                                         cell_matrices,
+                                         materials.at(distinct.material));
+        problem.law  = law;
+        units.push_back({unit_families(problem, options.enrichment)});
+      }
     const auto unit_network =
       assemble_network(mesh, cells, units, element, materials);
 
     Eigen::VectorXd prior;
     if (method == Method::consistent)
       prior = constants_of_cell_fits(
-        cells, mesh, element, materials, method, options, name, session);
+        cells, mesh, element, materials, method, options, law, name, session);
 
     std::optional<double> share; // of the way to the fit, where it is unstable
     // The same on every rank: a factorisation is not worth distributing.
@@ -62,7 +82,7 @@ namespace springfit
     ObjectFit found;
     run_collectively(session.communicator(), [&]() {
       auto problem =
-        make_object_problem<dim>(unit_network,
+        make_object_problem(unit_network,
                                  object_stiffness(mesh, element, materials),
                                  options.nonnegative);
       const auto all_fields = displacement_fields(fields, problem, responses);
@@ -84,11 +104,13 @@ namespace springfit
     const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
 
-    FittedNetwork fitted{with_constants(unit_network, found.constants), {}};
+    FittedNetwork fitted{unit_network, {}};
+    fitted.network.families =
+      with_constants(unit_network.families, found.constants);
     FitResult result{};
     result.frobenius_residual = found.frobenius_residual;
     result.spectral_residual  = found.spectral_residual;
-    result.n_negative         = n_negative(fitted.network);
+    result.n_negative         = n_negative(fitted.network.families);
     fitted.cells              = {{0, 1, result, seconds.count()}};
     if (share)
       session.print(
@@ -121,6 +143,7 @@ namespace springfit
                       const MaterialTable &,
                       Method,
                       const FitOptions &,
+                      SpringLaw,
                       const std::vector<Field> &,
                       const Eigen::MatrixXd &,
                       const std::string &,
@@ -132,6 +155,7 @@ namespace springfit
                       const MaterialTable &,
                       Method,
                       const FitOptions &,
+                      SpringLaw,
                       const std::vector<Field> &,
                       const Eigen::MatrixXd &,
                       const std::string &,

@@ -5,8 +5,7 @@
 #include <springfit/fit/free_body.h>
 #include <springfit/fit/object_fit.h>
 #include <springfit/reference/cell_matrices.h>
-#include <springfit/springs/cell_topology.h>
-#include <springfit/springs/network_terms.h>
+#include <springfit/springs/network.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -100,22 +99,6 @@ namespace springfit
     return methods;
   }
 
-  CellModel
-  unit_model(const CellKind kind, const Enrichment enrichment)
-  {
-    const unsigned int n_springs = node_pairs(kind).size();
-    CellModel model{Eigen::VectorXd::Ones(n_springs)};
-    if (enrichment == Enrichment::volume)
-      model.volume_stiffness = 1.;
-    if (enrichment == Enrichment::angles)
-      model.angle_stiffness = Eigen::VectorXd::Ones(cell_angles(kind).size());
-    if (enrichment == Enrichment::coupling)
-      for (unsigned int a = 0; a < n_springs; ++a)
-        for (unsigned int b = a + 1; b < n_springs; ++b)
-          model.couplings.push_back({a, b, 1.});
-    return model;
-  }
-
   template <int dim>
   Eigen::SparseMatrix<double>
   object_stiffness(const Mesh<dim> &mesh,
@@ -141,61 +124,32 @@ namespace springfit
     return stiffness;
   }
 
-  template <int dim>
   ObjectProblem
   make_object_problem(const SpringNetwork &network,
                       const Eigen::SparseMatrix<double> &stiffness,
                       const bool nonnegative)
   {
-    const unsigned int n = n_terms(network);
-    const SpringNetwork unit =
-      with_constants(network, Eigen::VectorXd::Ones(n));
-    const Eigen::MatrixXd rest =
-      Eigen::MatrixXd::Zero(dim, network.nodes.cols());
+    const Families unit = with_constants(
+      network.families,
+      Eigen::VectorXd::Ones(constants_of(network.families).size()));
+    if (!std::isfinite(energy(unit, network.nodes)))
+      throw RunError("A term of the springs has no tangent at rest.",
+                     "Improve the mesh: a cell may be flat.");
 
     ObjectProblem problem{network.nodes, stiffness, {}, {}};
-    for (unsigned int t = 0; t < n; ++t)
-      {
-        const auto term = evaluate_term<dim>(unit, t, rest);
-        if (!term)
-          throw RunError("A term of the springs has no tangent at rest.",
-                         "Improve the mesh: a cell may be flat.");
-        problem.terms.push_back(*term);
-        problem.nonnegative.push_back(nonnegative &&
-                                      t < network.stiffness.size());
-      }
+    for (const auto &family : unit)
+      for (std::size_t m = 0; m < family.size(); ++m)
+        {
+          const unsigned int n      = family.kind->n_nodes();
+          const unsigned int *nodes = family.nodes(m);
+          problem.terms.push_back(
+            {{nodes, nodes + n},
+             0.,
+             {},
+             family.kind->hessian(family.members, m, network.nodes)});
+          problem.nonnegative.push_back(nonnegative && n == 2);
+        }
     return problem;
-  }
-
-  SpringNetwork
-  with_constants(SpringNetwork network, const Eigen::VectorXd &constants)
-  {
-    if (constants.size() != n_terms(network))
-      throw std::logic_error("a network has other terms than constants");
-    const double *c = constants.data();
-    for (double &stiffness : network.stiffness)
-      stiffness = *c++;
-    for (auto &coupling : network.couplings)
-      coupling.stiffness = *c++;
-    for (auto &spring : network.angles)
-      spring.stiffness = *c++;
-    for (auto &spring : network.volumes)
-      spring.stiffness = *c++;
-    return network;
-  }
-
-  Eigen::VectorXd
-  constants_of(const SpringNetwork &network)
-  {
-    std::vector<double> constants = network.stiffness;
-    for (const auto &coupling : network.couplings)
-      constants.push_back(coupling.stiffness);
-    for (const auto &spring : network.angles)
-      constants.push_back(spring.stiffness);
-    for (const auto &spring : network.volumes)
-      constants.push_back(spring.stiffness);
-    return Eigen::Map<const Eigen::VectorXd>(constants.data(),
-                                             constants.size());
   }
 
   namespace
@@ -261,12 +215,4 @@ namespace springfit
   object_stiffness<3>(const Mesh<3> &,
                       const Element<3> &,
                       const MaterialTable &);
-  template ObjectProblem
-  make_object_problem<2>(const SpringNetwork &,
-                         const Eigen::SparseMatrix<double> &,
-                         bool);
-  template ObjectProblem
-  make_object_problem<3>(const SpringNetwork &,
-                         const Eigen::SparseMatrix<double> &,
-                         bool);
 } // namespace springfit

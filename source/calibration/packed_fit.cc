@@ -1,8 +1,9 @@
 #include <springfit/calibration/packed_fit.h>
-
-#include <Eigen/Core>
+#include <springfit/springs/spring_kinds.h>
 
 #include <cstddef>
+#include <optional>
+#include <utility>
 
 namespace springfit
 {
@@ -27,8 +28,9 @@ namespace springfit
         put(number.value_or(0.));
       }
 
+      template <typename Number>
       void
-      put(const Eigen::VectorXd &vector)
+      put(const std::vector<Number> &vector)
       {
         put(static_cast<double>(vector.size()));
         numbers.insert(numbers.end(), vector.begin(), vector.end());
@@ -56,12 +58,13 @@ namespace springfit
         return is_given ? std::optional<double>(value) : std::nullopt;
       }
 
-      Eigen::VectorXd
+      template <typename Number>
+      std::vector<Number>
       vector()
       {
-        Eigen::VectorXd result(static_cast<Eigen::Index>(number()));
-        for (double &entry : result)
-          entry = number();
+        std::vector<Number> result(static_cast<std::size_t>(number()));
+        for (Number &entry : result)
+          entry = static_cast<Number>(number());
         return result;
       }
 
@@ -82,15 +85,13 @@ namespace springfit
     writer.put(result.smallest_eigenvalue);
     writer.put(static_cast<double>(result.n_negative));
     writer.put(result.states_residual);
-    writer.put(result.k);
-    writer.put(result.angle_stiffness);
-    writer.put(result.volume_stiffness);
-    writer.put(static_cast<double>(result.couplings.size()));
-    for (const auto &[a, b, stiffness] : result.couplings)
+    writer.put(static_cast<double>(result.families.size()));
+    for (const auto &family : result.families)
       {
-        writer.put(static_cast<double>(a));
-        writer.put(static_cast<double>(b));
-        writer.put(stiffness);
+        writer.put(static_cast<double>(number_of(*family.kind)));
+        writer.put(family.members.nodes);
+        for (const auto &column : family.members.columns)
+          writer.put(column);
       }
     return writer.numbers;
   }
@@ -107,15 +108,15 @@ namespace springfit
     result.smallest_eigenvalue = reader.optional();
     result.n_negative          = static_cast<unsigned int>(reader.number());
     result.states_residual     = reader.optional();
-    result.k                   = reader.vector();
-    result.angle_stiffness     = reader.vector();
-    result.volume_stiffness    = reader.optional();
-    result.couplings.resize(static_cast<std::size_t>(reader.number()));
-    for (auto &[a, b, stiffness] : result.couplings)
+    const auto n_families      = static_cast<std::size_t>(reader.number());
+    for (std::size_t f = 0; f < n_families; ++f)
       {
-        a         = static_cast<unsigned int>(reader.number());
-        b         = static_cast<unsigned int>(reader.number());
-        stiffness = reader.number();
+        Family family(
+          *spring_kinds().at(static_cast<std::size_t>(reader.number())));
+        family.members.nodes = reader.vector<unsigned int>();
+        for (auto &column : family.members.columns)
+          column = reader.vector<double>();
+        result.families.push_back(std::move(family));
       }
     return result;
   }

@@ -1,5 +1,4 @@
 #include <springfit/comparison/homogenised_tensor.h>
-#include <springfit/springs/gradients.h>
 
 #include <Eigen/LU>
 
@@ -7,74 +6,21 @@
 
 namespace springfit
 {
-  namespace
-  {
-    /**
-     * The change of a coordinate with the gradient of an affine displacement,
-     * sum_v b_v x_v^T by rows, where b is its gradient with respect to the
-     * nodes x.
-     */
-    Eigen::VectorXd
-    affine_change(const Eigen::MatrixXd &nodes, const Eigen::VectorXd &gradient)
-    {
-      const Eigen::Index dim = nodes.rows();
-      const Eigen::Map<const Eigen::MatrixXd> b(gradient.data(),
-                                                dim,
-                                                nodes.cols());
-      return (nodes * b.transpose()).reshaped();
-    }
-
-    /** Of the elongation of a spring. */
-    Eigen::VectorXd
-    affine_change(const SpringNetwork &network, const unsigned int spring)
-    {
-      Eigen::MatrixXd ends(network.nodes.rows(), 2);
-      ends << network.nodes.col(network.i[spring]),
-        network.nodes.col(network.j[spring]);
-      return affine_change(ends, length_gradients(ends, {{{0, 1}}}));
-    }
-
-    Eigen::VectorXd
-    affine_change(const SpringNetwork &network, const AngleSpring &spring)
-    {
-      Eigen::MatrixXd corner(network.nodes.rows(), 3);
-      for (unsigned int v = 0; v < 3; ++v)
-        corner.col(v) = network.nodes.col(spring.nodes[v]);
-      return affine_change(corner, angle_gradients(corner, {{{0, 1, 2}}}));
-    }
-  } // namespace
-
   ElasticityTensor
   homogenised_tensor(const SpringNetwork &network, const double volume)
   {
-    const Eigen::Index dim  = network.nodes.rows();
-    ElasticityTensor tensor = ElasticityTensor::Zero(dim * dim, dim * dim);
-    for (std::size_t s = 0; s < network.stiffness.size(); ++s)
-      {
-        const Eigen::VectorXd q = affine_change(network, s);
-        tensor += network.stiffness[s] * q * q.transpose();
-      }
-    for (const auto &[a, b, stiffness] : network.couplings)
-      {
-        const Eigen::MatrixXd term = stiffness * affine_change(network, a) *
-                                     affine_change(network, b).transpose();
-        tensor += term + term.transpose();
-      }
-
-    for (const auto &spring : network.angles)
-      {
-        const Eigen::VectorXd q = affine_change(network, spring);
-        tensor += spring.stiffness * q * q.transpose();
-      }
-
-    // A volume changes by itself times the divergence.
-    double volumes = 0.;
-    for (const auto &spring : network.volumes)
-      volumes += spring.stiffness * spring.rest_volume * spring.rest_volume;
-    for (Eigen::Index i = 0; i < dim; ++i)
-      for (Eigen::Index j = 0; j < dim; ++j)
-        tensor(dim * i + i, dim * j + j) += volumes;
-    return tensor / volume;
+    const Eigen::Index dim = network.nodes.rows();
+    // u_i = x_j for the displacement gradient (i, j), by its columns.
+    Eigen::MatrixXd affine =
+      Eigen::MatrixXd::Zero(network.nodes.size(), dim * dim);
+    const Eigen::MatrixXd x =
+      network.nodes.colwise() - network.nodes.rowwise().mean();
+    for (Eigen::Index v = 0; v < x.cols(); ++v)
+      for (Eigen::Index i = 0; i < dim; ++i)
+        for (Eigen::Index j = 0; j < dim; ++j)
+          affine(dim * v + i, dim * i + j) = x(j, v);
+    return affine.transpose() *
+           (tangent(network.families, network.nodes) * affine) / volume;
   }
 
   IsotropicPart

@@ -1,42 +1,74 @@
 #include <springfit/fit/cell_model.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
+#include <cstddef>
 
 namespace springfit
 {
-  bool
-  all_finite(const CellModel &model)
+  namespace
   {
-    return model.k.allFinite() && model.angle_stiffness.allFinite() &&
-           std::all_of(model.couplings.begin(),
-                       model.couplings.end(),
-                       [](const LengthCoupling &coupling) {
-                         return std::isfinite(coupling.stiffness);
-                       }) &&
-           std::isfinite(model.volume_stiffness.value_or(0.));
-  }
+    Family &
+    family_of_kind(Families &families, const SpringKind &kind)
+    {
+      const auto found =
+        std::find_if(families.begin(), families.end(), [&](const Family &f) {
+          return f.kind == &kind;
+        });
+      if (found != families.end())
+        return *found;
+      families.emplace_back(kind);
+      return families.back();
+    }
 
+    /** The member with the same nodes, or the number of members. */
+    std::size_t
+    member_with_nodes(const Family &family, const unsigned int *nodes)
+    {
+      std::size_t m = 0;
+      while (m < family.size() &&
+             !std::equal(nodes,
+                         nodes + family.kind->n_nodes(),
+                         family.nodes(m)))
+        ++m;
+      return m;
+    }
+
+    void
+    add_scaled(const CellModel &model, const double factor, Families &sum)
+    {
+      for (const auto &family : model.families)
+        {
+          Family &to = family_of_kind(sum, *family.kind);
+          for (std::size_t m = 0; m < family.size(); ++m)
+            {
+              auto numbers = family.numbers(m);
+              for (std::size_t c = 0; c < numbers.size(); ++c)
+                if (family.kind->columns()[c].role == Column::Role::stiffness)
+                  for (double &stiffness : numbers[c])
+                    stiffness *= factor;
+              const unsigned int *nodes = family.nodes(m);
+              const std::size_t same    = member_with_nodes(to, nodes);
+              if (same < to.size())
+                to.members.columns[0][same] += numbers[0][0];
+              else
+                to.add({nodes, nodes + family.kind->n_nodes()}, numbers);
+            }
+        }
+    }
+  } // namespace
+
+  Eigen::VectorXd
+  CellModel::k() const
+  {
+    return spring_stiffness(families);
+  }
 
   CellModel
   between(const CellModel &a, const CellModel &b, const double t)
   {
-    CellModel model;
-    model.k = (1. - t) * a.k + t * b.k;
-    model.angle_stiffness =
-      (1. - t) * a.angle_stiffness + t * b.angle_stiffness;
-    if (a.volume_stiffness)
-      model.volume_stiffness =
-        (1. - t) * *a.volume_stiffness + t * b.volume_stiffness.value();
-    std::map<std::pair<unsigned int, unsigned int>, double> couplings;
-    for (const auto &coupling : a.couplings)
-      couplings[{coupling.a, coupling.b}] += (1. - t) * coupling.stiffness;
-    for (const auto &coupling : b.couplings)
-      couplings[{coupling.a, coupling.b}] += t * coupling.stiffness;
-    for (const auto &[springs, stiffness] : couplings)
-      model.couplings.push_back({springs.first, springs.second, stiffness});
-    return model;
+    CellModel sum;
+    add_scaled(a, 1. - t, sum.families);
+    add_scaled(b, t, sum.families);
+    return sum;
   }
 } // namespace springfit

@@ -1,9 +1,11 @@
 #include <springfit/core/error.h>
 #include <springfit/fit/cell_terms.h>
 #include <springfit/springs/gradients.h>
+#include <springfit/springs/rest_families.h>
 #include <springfit/springs/volume.h>
 
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 
 namespace springfit
@@ -52,7 +54,7 @@ namespace springfit
     const Eigen::MatrixXd others   = gradients_of(problem, enrichment);
 
     CellTerms terms;
-    terms.enrichment = enrichment;
+    terms.unit       = unit_families(problem, enrichment);
     terms.n_springs  = springs.cols();
     terms.norms      = Eigen::VectorXd::Ones(springs.cols() + others.cols());
     terms.norms.tail(others.cols()) = others.colwise().norm();
@@ -62,18 +64,52 @@ namespace springfit
   }
 
 
+  Families
+  unit_families(const FitProblem &problem, const Enrichment enrichment)
+  {
+    const auto ones = [](const std::size_t n) -> Eigen::VectorXd {
+      return Eigen::VectorXd::Ones(n);
+    };
+    Families families = {lengths_at_rest(problem.points,
+                                         problem.springs,
+                                         ones(problem.springs.size()),
+                                         problem.law)};
+    switch (enrichment)
+      {
+        case Enrichment::none:
+          break;
+        case Enrichment::volume:
+          families.push_back(volume_at_rest(problem.points, problem.kind, 1.));
+          break;
+        case Enrichment::angles:
+          {
+            const auto &triples = cell_angles(problem.kind);
+            families.push_back(
+              angles_at_rest(problem.points, triples, ones(triples.size())));
+            break;
+          }
+        case Enrichment::coupling:
+          {
+            std::vector<LengthCoupling> couplings;
+            for (unsigned int a = 0; a < problem.springs.size(); ++a)
+              for (unsigned int b = a + 1; b < problem.springs.size(); ++b)
+                couplings.push_back({a, b, 1.});
+            families.push_back(couplings_at_rest(problem.points,
+                                                 problem.springs,
+                                                 couplings,
+                                                 problem.law));
+            break;
+          }
+      }
+    return families;
+  }
+
+
   CellModel
   make_cell_model(const CellTerms &terms, const Eigen::VectorXd &constants)
   {
     const Eigen::VectorXd stiffness =
       constants.cwiseQuotient(terms.norms.cwiseAbs2());
-    CellModel model;
-    model.k = stiffness.head(terms.n_springs);
-    if (terms.enrichment == Enrichment::volume)
-      model.volume_stiffness = stiffness[terms.n_springs];
-    if (terms.enrichment == Enrichment::angles)
-      model.angle_stiffness =
-        stiffness.tail(stiffness.size() - terms.n_springs);
-    return model;
+    return {with_constants(terms.unit, stiffness)};
   }
 } // namespace springfit

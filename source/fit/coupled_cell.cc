@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 
 #include <cmath>
+#include <vector>
 
 namespace springfit
 {
@@ -19,13 +20,28 @@ namespace springfit
     const Eigen::MatrixXd C =
       A_inverse.transpose() * Q.transpose() * problem.stiffness * Q * A_inverse;
 
-    CellModel model{C.diagonal()};
+    std::vector<LengthCoupling> couplings;
     // Symmetry makes many of them zero.
     const double rounding = 1e-13 * C.cwiseAbs().maxCoeff();
     for (unsigned int a = 0; a < C.cols(); ++a)
       for (unsigned int b = a + 1; b < C.cols(); ++b)
         if (std::abs(C(a, b)) > rounding)
-          model.couplings.push_back({a, b, C(a, b)});
+          couplings.push_back({a, b, C(a, b)});
+    return coupled_model(problem, C.diagonal(), couplings);
+  }
+
+  CellModel
+  coupled_model(const FitProblem &problem,
+                const Eigen::VectorXd &k,
+                const std::vector<LengthCoupling> &couplings)
+  {
+    CellModel model{
+      {lengths_at_rest(problem.points, problem.springs, k, problem.law)}};
+    if (!couplings.empty())
+      model.families.push_back(couplings_at_rest(problem.points,
+                                                 problem.springs,
+                                                 couplings,
+                                                 problem.law));
     return model;
   }
 } // namespace springfit

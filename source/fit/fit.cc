@@ -143,45 +143,59 @@ namespace springfit
 
     // The published ones, from the shape and the material.
 
+    CellModel
+    springs_alone(const FitProblem &problem, const Eigen::VectorXd &k)
+    {
+      return coupled_model(problem, k, {});
+    }
+
     Constants
     gelder(const FitProblem &problem)
     {
-      return {{fit_gelder(problem.points, problem.kind, problem.material)}};
+      return {springs_alone(
+        problem, fit_gelder(problem.points, problem.kind, problem.material))};
     }
 
     Constants
     lloyd(const FitProblem &problem)
     {
-      return {{fit_lloyd(problem.points, problem.kind, problem.material)}};
+      return {springs_alone(
+        problem, fit_lloyd(problem.points, problem.kind, problem.material))};
     }
 
     Constants
     baudet(const FitProblem &problem, const FitOptions &options)
     {
-      CellModel model{
-        fit_baudet(problem.points, problem.kind, problem.material)};
+      std::vector<LengthCoupling> couplings;
       if (options.enrichment == Enrichment::coupling)
-        model.couplings =
+        couplings =
           baudet_couplings(problem.points, problem.kind, problem.material);
-      return {model};
+      return {coupled_model(
+        problem,
+        fit_baudet(problem.points, problem.kind, problem.material),
+        couplings)};
     }
 
     Constants
     delingette(const FitProblem &problem, const FitOptions &options)
     {
-      CellModel model{fit_delingette(problem.points, problem.material)};
+      std::vector<LengthCoupling> couplings;
       if (options.enrichment == Enrichment::coupling)
-        model.couplings =
-          delingette_couplings(problem.points, problem.material);
-      return {model};
+        couplings = delingette_couplings(problem.points, problem.material);
+      return {coupled_model(problem,
+                            fit_delingette(problem.points, problem.material),
+                            couplings)};
     }
 
     Constants
     golec(const FitProblem &problem)
     {
-      CellModel model{fit_golec(problem.points, problem.material)};
-      model.volume_stiffness =
-        golec_volume_stiffness(problem.points, problem.material);
+      CellModel model =
+        springs_alone(problem, fit_golec(problem.points, problem.material));
+      model.families.push_back(volume_at_rest(
+        problem.points,
+        problem.kind,
+        golec_volume_stiffness(problem.points, problem.material)));
       return {model};
     }
 
@@ -358,7 +372,7 @@ namespace springfit
     const Constants found = is_published(method)
                               ? from_formulas(problem, method, options)
                               : approximate(problem, method, options);
-    if (!all_finite(found.model))
+    if (!all_finite(found.model.families))
       throw RunError("its constants are not finite.",
                      "Improve the mesh there, or choose another material.");
 
@@ -368,7 +382,7 @@ namespace springfit
                            spectral_norm(E) / spectral_norm(R),
                            found.duality_gap,
                            smallest_eigenvalue(problem, found.model),
-                           n_negative(found.model.k),
+                           n_negative(found.model.families),
                            states_residual(problem, found.model)};
     // All its couplings make a cell its finite element, but for rounding.
     const bool is_exact =

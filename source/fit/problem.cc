@@ -1,6 +1,5 @@
 #include <springfit/fit/problem.h>
 #include <springfit/springs/gradients.h>
-#include <springfit/springs/volume.h>
 
 namespace springfit
 {
@@ -31,25 +30,7 @@ namespace springfit
   Eigen::MatrixXd
   residual(const FitProblem &problem, const CellModel &model)
   {
-    const Eigen::MatrixXd &B = problem.gradients;
-    Eigen::MatrixXd E        = residual(problem, model.k);
-    for (const auto &[a, b, stiffness] : model.couplings)
-      {
-        const Eigen::MatrixXd term =
-          stiffness * B.col(a) * B.col(b).transpose();
-        E -= term + term.transpose();
-      }
-    if (model.angle_stiffness.size() > 0)
-      {
-        const Eigen::MatrixXd A =
-          angle_gradients(problem.points, cell_angles(problem.kind));
-        E -= A * model.angle_stiffness.asDiagonal() * A.transpose();
-      }
-    if (model.volume_stiffness)
-      {
-        const Eigen::VectorXd g = volume_gradient(problem.points, problem.kind);
-        E -= *model.volume_stiffness * g * g.transpose();
-      }
-    return E;
+    return problem.stiffness -
+           Eigen::MatrixXd(tangent(model.families, problem.points));
   }
 } // namespace springfit

@@ -1,61 +1,17 @@
 #include <springfit/core/error.h>
 #include <springfit/fit/nonnegative_least_squares.h>
 #include <springfit/fit/several_states.h>
+#include <springfit/fit/coupled_cell.h>
 #include <springfit/springs/network.h>
-#include <springfit/springs/network_terms.h>
-#include <springfit/springs/volume.h>
 
-#include <numeric>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace springfit
 {
   namespace
   {
-    /** The forces of a cell as a network of its own. */
-    SpringNetwork
-    network_of(const FitProblem &problem, const CellModel &model)
-    {
-      std::vector<unsigned int> nodes(problem.points.cols());
-      std::iota(nodes.begin(), nodes.end(), 0);
-      NetworkBuilder builder(problem.points);
-      builder.add_springs(nodes, problem.springs, model.k);
-      builder.add_couplings(nodes, problem.springs, model.couplings);
-      if (model.angle_stiffness.size() > 0)
-        builder.add_angles(nodes,
-                           cell_angles(problem.kind),
-                           model.angle_stiffness);
-      if (model.volume_stiffness)
-        builder.add_volume(nodes,
-                           *model.volume_stiffness,
-                           volume(problem.points, problem.kind));
-      SpringNetwork network = builder.build();
-      network.law           = problem.law;
-      return network;
-    }
-
-    template <int dim>
-    Eigen::MatrixXd
-    tangent(const SpringNetwork &network, const Eigen::MatrixXd &displacement)
-    {
-      Eigen::MatrixXd K =
-        Eigen::MatrixXd::Zero(displacement.size(), displacement.size());
-      for (unsigned int t = 0; t < n_terms(network); ++t)
-        {
-          const auto term = evaluate_term<dim>(network, t, displacement);
-          if (!term)
-            throw RunError("in one of the 'States' a length is zero or an "
-                           "angle straight or folded.",
-                           "Name smaller deformations.");
-          const auto &nodes = term->nodes;
-          for (std::size_t a = 0; a < nodes.size(); ++a)
-            for (std::size_t b = 0; b < nodes.size(); ++b)
-              K.block<dim, dim>(dim * nodes[a], dim * nodes[b]) +=
-                term->hessian.template block<dim, dim>(dim * a, dim * b);
-        }
-      return K;
-    }
-
     std::vector<DeformedState>
     all_states(const FitProblem &problem)
     {
@@ -116,9 +72,12 @@ namespace springfit
           const CellModel &model,
           const Eigen::MatrixXd &displacement)
   {
-    const SpringNetwork network = network_of(problem, model);
-    return displacement.rows() == 2 ? tangent<2>(network, displacement)
-                                    : tangent<3>(network, displacement);
+    const Eigen::MatrixXd x = problem.points + displacement;
+    if (!std::isfinite(energy(model.families, x)))
+      throw RunError("in one of the 'States' a length is zero or an angle "
+                     "straight or folded.",
+                     "Name smaller deformations.");
+    return Eigen::MatrixXd(tangent(model.families, x));
   }
 
 
@@ -148,20 +107,23 @@ namespace springfit
                           const Eigen::Index n_nonnegative)
   {
     const unsigned int n = problem.springs.size();
+    std::vector<LengthCoupling> couplings;
     std::vector<CellModel> models;
     for (unsigned int s = 0; s < n; ++s)
-      models.push_back({Eigen::VectorXd::Unit(n, s)});
+      models.push_back(
+        coupled_model(problem, Eigen::VectorXd::Unit(n, s), {}));
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = a + 1; b < n; ++b)
-        models.push_back({Eigen::VectorXd::Zero(n), {{a, b, 1.}}});
+        {
+          couplings.push_back({a, b, 1.});
+          models.push_back(coupled_model(problem,
+                                         Eigen::VectorXd::Zero(n),
+                                         {couplings.back()}));
+        }
 
     const Eigen::VectorXd c = fit_models(problem, models, n_nonnegative);
-    CellModel model{c.head(n)};
-    for (Eigen::Index m = n; m < c.size(); ++m)
-      {
-        model.couplings.push_back(models[m].couplings.front());
-        model.couplings.back().stiffness = c[m];
-      }
-    return model;
+    for (std::size_t m = 0; m < couplings.size(); ++m)
+      couplings[m].stiffness = c[n + m];
+    return coupled_model(problem, c.head(n), couplings);
   }
 } // namespace springfit

@@ -1,6 +1,9 @@
 #include <springfit/output/csv.h>
 #include <springfit/output/tables.h>
 
+#include <cstddef>
+#include <string>
+
 namespace springfit
 {
   void
@@ -62,60 +65,33 @@ namespace springfit
 
   namespace
   {
-    CsvTable
-    springs_table(const SpringNetwork &network)
+    /** A column for each node and number of a member. */
+    std::string
+    header(const SpringKind &kind)
     {
-      CsvTable table("i,j,k,rest_length");
-      for (std::size_t s = 0; s < network.stiffness.size(); ++s)
-        {
-          table.new_row();
-          table << network.i[s] << network.j[s];
-          table.exactly(network.stiffness[s]).exactly(network.rest_length[s]);
-        }
-      return table;
+      std::string names;
+      for (const auto &name : kind.node_names())
+        names += name + ',';
+      for (const auto &column : kind.columns())
+        for (unsigned int w = 0; w < column.width; ++w)
+          names += column.name +
+                   (column.width > 1 ? std::to_string(w) : std::string()) + ',';
+      names.pop_back();
+      return names;
     }
 
     CsvTable
-    couplings_table(const SpringNetwork &network)
+    table_of(const Family &family)
     {
-      CsvTable table("a,b,stiffness");
-      for (const auto &[a, b, stiffness] : network.couplings)
+      CsvTable table(header(*family.kind));
+      for (std::size_t m = 0; m < family.size(); ++m)
         {
           table.new_row();
-          table << a << b;
-          table.exactly(stiffness);
-        }
-      return table;
-    }
-
-    CsvTable
-    angles_table(const SpringNetwork &network)
-    {
-      CsvTable table("a,middle,c,k,rest_angle");
-      for (const auto &[nodes, stiffness, rest_angle] : network.angles)
-        {
-          table.new_row();
-          for (const unsigned int node : nodes)
-            table << node;
-          table.exactly(stiffness).exactly(rest_angle);
-        }
-      return table;
-    }
-
-    /** The cells of a mesh are of one kind: all rows are of the same length. */
-    CsvTable
-    volumes_table(const SpringNetwork &network)
-    {
-      std::string header;
-      for (std::size_t v = 0; v < network.volumes.front().nodes.size(); ++v)
-        header += 'n' + std::to_string(v) + ',';
-      CsvTable table(header + "k,rest_volume");
-      for (const auto &[nodes, stiffness, rest_volume] : network.volumes)
-        {
-          table.new_row();
-          for (const unsigned int node : nodes)
-            table << node;
-          table.exactly(stiffness).exactly(rest_volume);
+          for (unsigned int a = 0; a < family.kind->n_nodes(); ++a)
+            table << family.nodes(m)[a];
+          for (const auto &column : family.numbers(m))
+            for (const double number : column)
+              table.exactly(number);
         }
       return table;
     }
@@ -126,12 +102,8 @@ namespace springfit
                 const std::string &name,
                 const SpringNetwork &network)
   {
-    springs_table(network).write(folder / ("springs_" + name + ".csv"));
-    if (!network.couplings.empty())
-      couplings_table(network).write(folder / ("couplings_" + name + ".csv"));
-    if (!network.angles.empty())
-      angles_table(network).write(folder / ("angles_" + name + ".csv"));
-    if (!network.volumes.empty())
-      volumes_table(network).write(folder / ("volumes_" + name + ".csv"));
+    for (const auto &family : network.families)
+      table_of(family).write(folder /
+                             (family.kind->word() + '_' + name + ".csv"));
   }
 } // namespace springfit

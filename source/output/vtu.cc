@@ -106,23 +106,27 @@ namespace springfit
     const unsigned int n = components.names.size();
 
     std::vector<dealii::DataOutBase::Patch<1, dim>> patches;
-    patches.reserve(network.stiffness.size());
-    for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+    for (const auto &family : network.families)
       {
-        dealii::DataOutBase::Patch<1, dim> patch;
-        patch.reference_cell = dealii::ReferenceCells::Line;
-        patch.patch_index    = patches.size();
-        patch.data.reinit(n, 2);
-        const unsigned int ends[2] = {network.i[s], network.j[s]};
-        for (unsigned int v = 0; v < 2; ++v)
+        if (family.kind->n_nodes() != 2)
+          continue;
+        for (std::size_t s = 0; s < family.size(); ++s)
           {
-            for (int d = 0; d < dim; ++d)
-              patch.vertices[v][d] = network.nodes(d, ends[v]);
-            fill(patch, v, fields, ends[v]);
-            patch.data(n - 2, v) = network.stiffness[s];
-            patch.data(n - 1, v) = network.rest_length[s];
+            dealii::DataOutBase::Patch<1, dim> patch;
+            patch.reference_cell = dealii::ReferenceCells::Line;
+            patch.patch_index    = patches.size();
+            patch.data.reinit(n, 2);
+            for (unsigned int v = 0; v < 2; ++v)
+              {
+                const unsigned int node = family.nodes(s)[v];
+                for (int d = 0; d < dim; ++d)
+                  patch.vertices[v][d] = network.nodes(d, node);
+                fill(patch, v, fields, node);
+                patch.data(n - 2, v) = family.members.columns[0][s];
+                patch.data(n - 1, v) = family.members.columns[1][s];
+              }
+            patches.push_back(patch);
           }
-        patches.push_back(patch);
       }
     write(path, patches, components);
   }

@@ -95,6 +95,16 @@ namespace springfit
   }
 
   template <int dim>
+  std::vector<bool>
+  Discretization<dim>::owned_nodes() const
+  {
+    std::vector<bool> owned(n_nodes());
+    for (unsigned int v = 0; v < n_nodes(); ++v)
+      owned[v] = locally_owned_.is_element(dof(v, 0));
+    return owned;
+  }
+
+  template <int dim>
   MPI_Comm
   Discretization<dim>::communicator() const
   {

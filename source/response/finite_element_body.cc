@@ -1,4 +1,12 @@
+#include <springfit/core/energy_term.h>
 #include <springfit/response/finite_element_body.h>
+#include <springfit/springs/positive_part.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace springfit
 {
@@ -13,6 +21,29 @@ namespace springfit
         of_cell.col(v) = displacement.col(cell->vertex_index(v));
       return of_cell;
     }
+
+    template <int dim>
+    std::vector<typename CellEnergy<dim>::Cell>
+    all_cells(const Mesh<dim> &mesh)
+    {
+      std::vector<typename CellEnergy<dim>::Cell> cells;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        cells.push_back(cell);
+      return cells;
+    }
+
+    template <int dim>
+    void
+    add_blocks(const std::vector<unsigned int> &nodes,
+               const Eigen::MatrixXd &hessian,
+               TangentMatrix &tangent)
+    {
+      for (std::size_t b = 0; b < nodes.size(); ++b)
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          tangent.add(nodes[a],
+                      nodes[b],
+                      hessian.block<dim, dim>(dim * a, dim * b).eval());
+    }
   } // namespace
 
   template <int dim>
@@ -20,35 +51,112 @@ namespace springfit
                                             const Element<dim> &element,
                                             const MaterialTable &materials,
                                             const MaterialLaw law)
-    : materials_(materials), energy_(element, law)
+    : FiniteElementBody(all_cells(mesh), element, materials, law)
+  {}
+
+  template <int dim>
+  FiniteElementBody<dim>::FiniteElementBody(std::vector<Cell> cells,
+                                            const Element<dim> &element,
+                                            const MaterialTable &materials,
+                                            const MaterialLaw law)
+    : cells_(std::move(cells))
+    , element_(element)
+    , materials_(materials)
+    , law_(law)
+    , energy_(element, law)
+  {}
+
+  template <int dim>
+  template <typename F>
+  void
+  FiniteElementBody<dim>::for_each_term(const Eigen::MatrixXd &displacement,
+                                        const F &f) const
   {
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      cells_.push_back(cell);
+    for (const auto &cell : cells_)
+      {
+        const auto term = energy_.evaluate(cell,
+                                           materials_.at(cell->material_id()),
+                                           on_vertices(displacement, cell));
+        Assert(term, dealii::ExcMessage("The state has no finite energy."));
+        f(*term);
+      }
   }
 
   template <int dim>
-  unsigned int
-  FiniteElementBody<dim>::n_terms() const
+  double
+  FiniteElementBody<dim>::energy(const Eigen::MatrixXd &displacement) const
   {
-    return cells_.size();
+    double sum = 0.;
+    for (const auto &cell : cells_)
+      {
+        const auto term = energy_.evaluate(cell,
+                                           materials_.at(cell->material_id()),
+                                           on_vertices(displacement, cell));
+        if (!term)
+          return std::numeric_limits<double>::infinity();
+        sum += term->energy;
+      }
+    return sum;
   }
 
   template <int dim>
-  unsigned int
-  FiniteElementBody<dim>::first_node(const unsigned int term) const
+  void
+  FiniteElementBody<dim>::add_forces(const Eigen::MatrixXd &displacement,
+                                     Eigen::MatrixXd &forces) const
   {
-    return cells_[term]->vertex_index(0);
+    for_each_term(displacement, [&](const EnergyTerm &term) {
+      for (std::size_t a = 0; a < term.nodes.size(); ++a)
+        forces.col(term.nodes[a]) -=
+          term.gradient.template segment<dim>(dim * a);
+    });
   }
 
   template <int dim>
-  std::optional<EnergyTerm>
-  FiniteElementBody<dim>::evaluate(const unsigned int term,
-                                   const Eigen::MatrixXd &displacement) const
+  void
+  FiniteElementBody<dim>::add_tangent(const Eigen::MatrixXd &displacement,
+                                      TangentMatrix &tangent) const
   {
-    const auto &cell = cells_[term];
-    return energy_.evaluate(cell,
-                            materials_.at(cell->material_id()),
-                            on_vertices(displacement, cell));
+    for_each_term(displacement, [&](const EnergyTerm &term) {
+      add_blocks<dim>(term.nodes, term.hessian, tangent);
+    });
+  }
+
+  template <int dim>
+  void
+  FiniteElementBody<dim>::add_convex_tangent(
+    const Eigen::MatrixXd &displacement,
+    TangentMatrix &tangent) const
+  {
+    for_each_term(displacement, [&](const EnergyTerm &term) {
+      add_blocks<dim>(term.nodes, positive_part(term.hessian), tangent);
+    });
+  }
+
+  template <int dim>
+  void
+  FiniteElementBody<dim>::add_to_pattern(NodePattern &pattern) const
+  {
+    for (const auto &cell : cells_)
+      {
+        std::vector<unsigned int> nodes;
+        for (const unsigned int v : cell->vertex_indices())
+          nodes.push_back(cell->vertex_index(v));
+        pattern.add_clique(nodes.data(), nodes.size());
+      }
+  }
+
+  template <int dim>
+  std::unique_ptr<const ElasticBody>
+  FiniteElementBody<dim>::share(const std::vector<bool> &nodes) const
+  {
+    std::vector<Cell> mine;
+    for (const auto &cell : cells_)
+      if (nodes[cell->vertex_index(0)])
+        mine.push_back(cell);
+    return std::make_unique<FiniteElementBody<dim>>(std::move(mine),
+                                                    element_,
+                                                    materials_,
+                                                    law_);
   }
 
   template <int dim>

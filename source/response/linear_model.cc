@@ -1,9 +1,10 @@
 #include <springfit/core/error.h>
-#include <springfit/response/assembly.h>
+#include <springfit/response/distributed_body.h>
 #include <springfit/response/linear_model.h>
 
 #include <deal.II/base/timer.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace springfit
@@ -45,9 +46,10 @@ namespace springfit
     discretization.initialize(stiffness_);
     const Eigen::MatrixXd rest =
       Eigen::MatrixXd::Zero(dim, discretization.n_nodes());
-    const auto state = assemble(discretization, body, rest, stiffness_);
-    if (!state)
+    DistributedBody<dim> distributed(discretization, body);
+    if (!std::isfinite(distributed.energy(rest)))
       throw not_found(words, "its energy at rest is not finite.");
+    distributed.tangent(rest, stiffness_);
     solver_ = explaining(words_, [&]() { return make_solver(stiffness_); });
     timer.stop();
     seconds_ = timer.wall_time();

@@ -1,35 +1,65 @@
 #include <springfit/response/network_body.h>
-#include <springfit/springs/network_terms.h>
+
+#include <cstddef>
+#include <utility>
 
 namespace springfit
 {
-  template <int dim>
-  NetworkBody<dim>::NetworkBody(const SpringNetwork &network)
-    : network_(network)
+  NetworkBody::NetworkBody(const SpringNetwork &network)
+    : NetworkBody(network.nodes, network.families)
   {}
 
-  template <int dim>
-  unsigned int
-  NetworkBody<dim>::n_terms() const
+  NetworkBody::NetworkBody(Eigen::MatrixXd nodes, Families families)
+    : nodes_(std::move(nodes)), families_(std::move(families))
+  {}
+
+  double
+  NetworkBody::energy(const Eigen::MatrixXd &displacement) const
   {
-    return springfit::n_terms(network_);
+    return springfit::energy(families_, nodes_ + displacement);
   }
 
-  template <int dim>
-  unsigned int
-  NetworkBody<dim>::first_node(const unsigned int term) const
+  void
+  NetworkBody::add_forces(const Eigen::MatrixXd &displacement,
+                          Eigen::MatrixXd &forces) const
   {
-    return springfit::first_node(network_, term);
+    springfit::add_forces(families_, nodes_ + displacement, forces);
   }
 
-  template <int dim>
-  std::optional<EnergyTerm>
-  NetworkBody<dim>::evaluate(const unsigned int term,
-                             const Eigen::MatrixXd &displacement) const
+  void
+  NetworkBody::add_tangent(const Eigen::MatrixXd &displacement,
+                           TangentMatrix &tangent) const
   {
-    return evaluate_term<dim>(network_, term, displacement);
+    springfit::add_tangent(families_, nodes_ + displacement, tangent);
   }
 
-  template class NetworkBody<2>;
-  template class NetworkBody<3>;
+  void
+  NetworkBody::add_convex_tangent(const Eigen::MatrixXd &displacement,
+                                  TangentMatrix &tangent) const
+  {
+    const Eigen::MatrixXd x = nodes_ + displacement;
+    for (const auto &family : families_)
+      family.kind->add_convex_tangent(family.members, x, tangent);
+  }
+
+  void
+  NetworkBody::add_to_pattern(NodePattern &pattern) const
+  {
+    springfit::add_to_pattern(families_, pattern);
+  }
+
+  std::unique_ptr<const ElasticBody>
+  NetworkBody::share(const std::vector<bool> &nodes) const
+  {
+    Families mine;
+    for (const auto &family : families_)
+      {
+        std::vector<std::size_t> members;
+        for (std::size_t m = 0; m < family.size(); ++m)
+          if (nodes[*family.nodes(m)])
+            members.push_back(m);
+        mine.push_back(selected(family, members));
+      }
+    return std::make_unique<NetworkBody>(nodes_, std::move(mine));
+  }
 } // namespace springfit

@@ -1,10 +1,10 @@
 #include <springfit/core/error.h>
-#include <springfit/response/assembly.h>
 #include <springfit/response/newton.h>
 
 #include <deal.II/base/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -24,7 +24,6 @@ namespace springfit
       Eigen::MatrixXd displacement;
       double potential; // U - f . u, J
       Vector leftover;  // f - grad U, N
-      double rounding;  // of leftover, N
     };
 
     template <int dim>
@@ -35,7 +34,7 @@ namespace springfit
       using Matrix = typename Discretization<dim>::Matrix;
 
       LoadedBody(const Discretization<dim> &discretization,
-                 const ElasticBody &body,
+                 DistributedBody<dim> &body,
                  const SolverFactory<dim> &make_solver,
                  const Vector &forces)
         : discretization_(discretization)
@@ -46,32 +45,42 @@ namespace springfit
         discretization.initialize(tangent_);
       }
 
-      /** The tangent is that of the last state that was asked for. */
+      /** Nothing where the body has no energy. */
       std::optional<LoadedState<dim>>
-      at(const Eigen::MatrixXd &displacement)
+      at(const Eigen::MatrixXd &displacement) const
       {
-        auto state = assemble(discretization_, body_, displacement, tangent_);
-        if (!state)
+        const double energy = body_.energy(displacement);
+        if (!std::isfinite(energy))
           return {};
-        LoadedState<dim> loaded{displacement,
-                                state->energy,
-                                forces_,
-                                state->rounding};
-        loaded.potential -= forces_ * discretization_.to_vector(displacement);
-        loaded.leftover -= state->forces;
-        return loaded;
+        LoadedState<dim> state{displacement,
+                               energy - forces_ * discretization_.to_vector(
+                                                    displacement),
+                               forces_};
+        state.leftover += body_.forces(displacement);
+        if (!std::isfinite(state.leftover.l2_norm()))
+          return {};
+        return state;
       }
 
-      /** The way downhill from the state that was asked for last. */
+      /**
+       * Go on from a state.
+       *
+       * @return the rounding errors in its leftover forces, N
+       */
+      double
+      linearise(const LoadedState<dim> &state)
+      {
+        body_.tangent(state.displacement, tangent_);
+        return body_.rounding(state.displacement, tangent_);
+      }
+
+      /** The way downhill from the state that was linearised. */
       std::optional<Vector>
       direction(const LoadedState<dim> &state)
       {
         if (auto exact = solve(state.leftover); exact)
           return exact;
-        assemble_convex_tangent(discretization_,
-                                body_,
-                                state.displacement,
-                                tangent_);
+        body_.convex_tangent(state.displacement, tangent_);
         return solve(state.leftover);
       }
 
@@ -92,7 +101,7 @@ namespace springfit
       }
 
       const Discretization<dim> &discretization_;
-      const ElasticBody &body_;
+      DistributedBody<dim> &body_;
       const SolverFactory<dim> &make_solver_;
       const Vector &forces_;
       Matrix tangent_;
@@ -113,7 +122,7 @@ namespace springfit
   template <int dim>
   NewtonResult<dim>
   newton(const Discretization<dim> &discretization,
-         const ElasticBody &body,
+         DistributedBody<dim> &body,
          const SolverFactory<dim> &make_solver,
          const typename Discretization<dim>::Vector &forces,
          const Eigen::MatrixXd &start,
@@ -129,7 +138,8 @@ namespace springfit
       {
         const double leftover = state->leftover.l2_norm();
         result.residuals.push_back(leftover / load);
-        if (leftover <= std::max(tolerance * load, state->rounding))
+        const double rounding = loaded.linearise(*state);
+        if (leftover <= std::max(tolerance * load, rounding))
           return result;
 
         const auto direction = loaded.direction(*state);
@@ -171,14 +181,14 @@ namespace springfit
   template struct NewtonResult<3>;
   template NewtonResult<2>
   newton<2>(const Discretization<2> &,
-            const ElasticBody &,
+            DistributedBody<2> &,
             const SolverFactory<2> &,
             const Discretization<2>::Vector &,
             const Eigen::MatrixXd &,
             double);
   template NewtonResult<3>
   newton<3>(const Discretization<3> &,
-            const ElasticBody &,
+            DistributedBody<3> &,
             const SolverFactory<3> &,
             const Discretization<3>::Vector &,
             const Eigen::MatrixXd &,

@@ -1,3 +1,4 @@
+#include <springfit/response/distributed_body.h>
 #include <springfit/response/newton.h>
 #include <springfit/response/nonlinear_model.h>
 
@@ -53,12 +54,13 @@ namespace springfit
                         0.,
                         {}};
 
+    DistributedBody<dim> body(discretization_, *body_);
     double step = first_step;
     while (reached.load_fraction < 1.)
       {
         const double target = std::min(1., reached.load_fraction + step);
         const auto result   = newton(discretization_,
-                                   *body_,
+                                   body,
                                    make_solver_,
                                    discretization_.to_vector(target * forces),
                                    reached.displacement,

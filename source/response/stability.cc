@@ -2,44 +2,53 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <cmath>
+
 namespace springfit
 {
+  namespace
+  {
+    using SparseMatrix = Eigen::SparseMatrix<double>;
+
+    /** The rows and columns of the nodes that are not fixed. */
+    SparseMatrix
+    free_part(const SparseMatrix &matrix, const std::vector<bool> &fixed)
+    {
+      const Eigen::Index dim = matrix.rows() / fixed.size();
+      Eigen::Index n_unknowns = 0;
+      std::vector<Eigen::Index> unknown(matrix.rows(), -1);
+      for (Eigen::Index row = 0; row < matrix.rows(); ++row)
+        if (!fixed[row / dim])
+          unknown[row] = n_unknowns++;
+
+      std::vector<Eigen::Triplet<double>> entries;
+      entries.reserve(matrix.nonZeros());
+      for (Eigen::Index column = 0; column < matrix.cols(); ++column)
+        for (SparseMatrix::InnerIterator it(matrix, column); it; ++it)
+          if (unknown[it.row()] >= 0 && unknown[it.col()] >= 0)
+            entries.emplace_back(unknown[it.row()],
+                                 unknown[it.col()],
+                                 it.value());
+      SparseMatrix part(n_unknowns, n_unknowns);
+      part.setFromTriplets(entries.begin(), entries.end());
+      return part;
+    }
+  } // namespace
+
   unsigned int
   n_unstable_motions(const ElasticBody &body,
                      const Eigen::MatrixXd &displacement,
                      const std::vector<bool> &fixed)
   {
-    const Eigen::Index dim = displacement.rows();
-    std::vector<Eigen::Index> first_unknown(fixed.size(), -1);
-    Eigen::Index n_unknowns = 0;
-    for (std::size_t node = 0; node < fixed.size(); ++node)
-      if (!fixed[node])
-        {
-          first_unknown[node] = n_unknowns;
-          n_unknowns += dim;
-        }
+    if (!std::isfinite(body.energy(displacement)))
+      return 1; // no state at all
+    NodePattern pattern(displacement.cols());
+    body.add_to_pattern(pattern);
+    TangentMatrix tangent(displacement.rows(), pattern);
+    body.add_tangent(displacement, tangent);
 
-    Eigen::SparseMatrix<double> tangent(n_unknowns, n_unknowns);
-    std::vector<Eigen::Triplet<double>> entries;
-    for (unsigned int t = 0; t < body.n_terms(); ++t)
-      {
-        const auto term = body.evaluate(t, displacement);
-        if (!term)
-          return 1; // no state at all
-        for (std::size_t a = 0; a < term->nodes.size(); ++a)
-          for (std::size_t b = 0; b < term->nodes.size(); ++b)
-            if (const auto row = first_unknown[term->nodes[a]],
-                column         = first_unknown[term->nodes[b]];
-                row >= 0 && column >= 0)
-              for (Eigen::Index d = 0; d < dim; ++d)
-                for (Eigen::Index e = 0; e < dim; ++e)
-                  entries.emplace_back(row + d,
-                                       column + e,
-                                       term->hessian(dim * a + d, dim * b + e));
-      }
-    tangent.setFromTriplets(entries.begin(), entries.end());
-
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(tangent);
+    const Eigen::SimplicialLDLT<SparseMatrix> factors(
+      free_part(tangent.matrix(), fixed));
     if (factors.info() != Eigen::Success)
       return 1; // a pivot vanished
     return (factors.vectorD().array() <= 0.).count();

@@ -53,7 +53,7 @@ namespace springfit
     {
       return {
         "the springs of the fit '" + fit + "'",
-        n_negative(network) > 0
+        n_negative(network.families) > 0
           ? "Springs of negative stiffness may cancel the others: set "
             "'Nonnegative = true' in section Fit, or 'Solver = direct' in "
             "section Response, or ask for another fit."
@@ -67,7 +67,7 @@ namespace springfit
     words_of_nonlinear_springs(const std::string &fit,
                                const SpringNetwork &network)
     {
-      const unsigned int n = n_negative(network);
+      const unsigned int n = n_negative(network.families);
       return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
               "Set a smaller 'Deformation' in section Loads" +
                 (n > 0 ? ", or 'Nonnegative = true' in section Fit: " +
@@ -256,14 +256,14 @@ namespace springfit
     if (kinematics == Kinematics::nonlinear)
       return nonlinear_model<dim>(discretization,
                                   element,
-                                  std::make_unique<NetworkBody<dim>>(network),
+                                  std::make_unique<NetworkBody>(network),
                                   solver_factory(discretization,
                                                  smallest_cg_nonlinear<dim>),
                                   words_of_nonlinear_springs(name, network),
                                   tolerance_);
     return std::make_unique<LinearModel<dim>>(
       discretization,
-      NetworkBody<dim>(network),
+      NetworkBody(network),
       solver_factory(discretization, smallest_cg_linear<dim>),
       words_of_springs(name, network));
   }

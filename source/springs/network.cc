@@ -1,210 +1,292 @@
-#include <springfit/springs/angle.h>
 #include <springfit/springs/negative.h>
 #include <springfit/springs/network.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace springfit
 {
   namespace
   {
-    /** A spring of a cell by its nodes in the network. */
-    NodePair
-    nodes_of(const NodePair &pair, const std::vector<unsigned int> &vertices)
+    bool
+    is_spring(const Family &family)
     {
-      const auto [i, j] = std::minmax(vertices[pair[0]], vertices[pair[1]]);
-      return {{i, j}};
+      return family.kind->n_nodes() == 2;
     }
 
-    /** An angle of a cell by its nodes in the network. */
-    NodeTriple
-    nodes_of(const NodeTriple &angle, const std::vector<unsigned int> &vertices)
+    bool
+    nearly_equal(const double a, const double b)
     {
-      const auto [a, c] = nodes_of(NodePair{{angle[0], angle[2]}}, vertices);
-      return {{a, vertices[angle[1]], c}};
+      return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
     }
 
-    template <int dim>
-    double
-    rest_angle(const Eigen::MatrixXd &nodes, const NodeTriple &triple)
+    using Numbers = std::vector<std::vector<double>>;
+
+    /** Whether @p b can be added to @p a, and then adds it. */
+    bool
+    merge(const SpringKind &kind, Numbers &a, const Numbers &b)
     {
-      const auto [a, m, c] = triple;
-      const Vector<dim> u  = nodes.col(a) - nodes.col(m);
-      const Vector<dim> v  = nodes.col(c) - nodes.col(m);
-      if (is_degenerate_angle<dim>(u, v))
-        throw std::logic_error("an angle of the network is straight or folded");
-      return angle<dim>(u, v);
+      const auto &columns     = kind.columns();
+      std::size_t n_different = 0, different = 0;
+      for (std::size_t c = 0; c < columns.size(); ++c)
+        if (columns[c].role != Column::Role::stiffness &&
+            !nearly_equal(a[c][0], b[c][0]))
+          {
+            ++n_different;
+            different = c;
+          }
+      const double k = a[0][0] + b[0][0];
+      if (n_different == 1 && kind.rest_values_average() &&
+          std::abs(k) > 1e-6 * (std::abs(a[0][0]) + std::abs(b[0][0])))
+        a[different][0] =
+          (a[0][0] * a[different][0] + b[0][0] * b[different][0]) / k;
+      else if (n_different > 0)
+        return false;
+      a[0][0] = k;
+      return true;
     }
 
-    /**
-     * Sort the parts of a network by their @p key and add the stiffness of
-     * those that have the same one.
-     */
-    template <typename Part, typename Key>
-    std::vector<Part>
-    merged(std::vector<Part> parts, const Key &key)
+    /** The members sorted by their nodes; equal ones stay in their order. */
+    std::vector<std::size_t>
+    sorted_members(const Family &family)
     {
-      // Stable, so that the sums do not depend on the sorting.
-      std::stable_sort(parts.begin(),
-                       parts.end(),
-                       [&](const Part &x, const Part &y) {
-                         return key(x) < key(y);
+      const std::size_t n = family.kind->n_nodes();
+      std::vector<std::size_t> order(family.size());
+      std::iota(order.begin(), order.end(), 0);
+      std::stable_sort(order.begin(),
+                       order.end(),
+                       [&](const std::size_t a, const std::size_t b) {
+                         const unsigned int *x = family.nodes(a);
+                         const unsigned int *y = family.nodes(b);
+                         return std::lexicographical_compare(x,
+                                                             x + n,
+                                                             y,
+                                                             y + n);
                        });
-      std::vector<Part> result;
-      for (const auto &part : parts)
-        if (!result.empty() && key(result.back()) == key(part))
-          result.back().stiffness += part.stiffness;
-        else
-          result.push_back(part);
+      return order;
+    }
+
+    Family
+    merged(const Family &family)
+    {
+      const std::size_t n = family.kind->n_nodes();
+      Family result(*family.kind);
+      const auto order = sorted_members(family);
+      for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end)
+        {
+          const unsigned int *nodes = family.nodes(order[begin]);
+          std::vector<Numbers> members;
+          for (; end < order.size() &&
+                 std::equal(nodes, nodes + n, family.nodes(order[end]));
+               ++end)
+            {
+              const Numbers numbers = family.numbers(order[end]);
+              if (std::none_of(members.begin(),
+                               members.end(),
+                               [&](Numbers &other) {
+                                 return merge(*family.kind, other, numbers);
+                               }))
+                members.push_back(numbers);
+            }
+          for (const auto &numbers : members)
+            result.add({nodes, nodes + n}, numbers);
+        }
       return result;
     }
   } // namespace
 
-  unsigned int
-  n_negative(const SpringNetwork &network)
+  double
+  energy(const Families &families, const Eigen::MatrixXd &x)
   {
-    return n_negative(
-      Eigen::Map<const Eigen::VectorXd>(network.stiffness.data(),
-                                        network.stiffness.size()));
+    double sum = 0.;
+    for (const auto &family : families)
+      sum += family.kind->energy(family.members, x);
+    return sum;
+  }
+
+  void
+  add_forces(const Families &families,
+             const Eigen::MatrixXd &x,
+             Eigen::MatrixXd &forces)
+  {
+    for (const auto &family : families)
+      family.kind->add_forces(family.members, x, forces);
+  }
+
+  void
+  add_tangent_product(const Families &families,
+                      const Eigen::MatrixXd &x,
+                      const Eigen::MatrixXd &u,
+                      Eigen::MatrixXd &product)
+  {
+    for (const auto &family : families)
+      family.kind->add_tangent_product(family.members, x, u, product);
+  }
+
+  void
+  add_tangent(const Families &families,
+              const Eigen::MatrixXd &x,
+              TangentMatrix &tangent)
+  {
+    for (const auto &family : families)
+      family.kind->add_tangent(family.members, x, tangent);
+  }
+
+  void
+  add_to_pattern(const Families &families, NodePattern &pattern)
+  {
+    for (const auto &family : families)
+      for (std::size_t m = 0; m < family.size(); ++m)
+        pattern.add_clique(family.nodes(m), family.kind->n_nodes());
+  }
+
+  Eigen::SparseMatrix<double>
+  tangent(const Families &families, const Eigen::MatrixXd &x)
+  {
+    NodePattern pattern(x.cols());
+    add_to_pattern(families, pattern);
+    TangentMatrix matrix(x.rows(), pattern);
+    add_tangent(families, x, matrix);
+    return matrix.matrix();
   }
 
   bool
-  has_springs_alone(const SpringNetwork &network)
+  all_finite(const Families &families)
   {
-    return network.couplings.empty() && network.angles.empty() &&
-           network.volumes.empty();
+    return std::all_of(families.begin(),
+                       families.end(),
+                       [](const Family &family) { return all_finite(family); });
+  }
+
+  namespace
+  {
+    /** The column of constants. */
+    const std::vector<double> &
+    constants_of(const Family &family)
+    {
+      const Column &column = family.kind->columns().front();
+      if (column.role != Column::Role::stiffness || column.width != 1)
+        throw std::logic_error("the energy of '" + family.kind->word() +
+                               "' is not linear in a single constant");
+      return family.members.columns.front();
+    }
+  } // namespace
+
+  Eigen::VectorXd
+  constants_of(const Families &families)
+  {
+    std::vector<double> all;
+    for (const auto &family : families)
+      {
+        const auto &constants = constants_of(family);
+        all.insert(all.end(), constants.begin(), constants.end());
+      }
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), all.size());
+  }
+
+  Families
+  with_constants(Families families, const Eigen::VectorXd &constants)
+  {
+    if (constants.size() != constants_of(families).size())
+      throw std::logic_error("there are other springs than constants");
+    const double *next = constants.data();
+    for (auto &family : families)
+      {
+        std::copy_n(next, family.size(), family.members.columns.front().begin());
+        next += family.size();
+      }
+    return families;
+  }
+
+  std::size_t
+  n_springs(const Families &families)
+  {
+    std::size_t n = 0;
+    for (const auto &family : families)
+      if (is_spring(family))
+        n += family.size();
+    return n;
+  }
+
+  Eigen::VectorXd
+  spring_stiffness(const Families &families)
+  {
+    Eigen::VectorXd k(n_springs(families));
+    Eigen::Index first = 0;
+    for (const auto &family : families)
+      if (is_spring(family))
+        {
+          const auto &of_family = family.members.columns.front();
+          std::copy(of_family.begin(), of_family.end(), k.begin() + first);
+          first += of_family.size();
+        }
+    return k;
+  }
+
+  unsigned int
+  n_negative(const Families &families)
+  {
+    return n_negative(spring_stiffness(families));
+  }
+
+  bool
+  has_springs_alone(const Families &families)
+  {
+    return std::all_of(families.begin(), families.end(), is_spring);
   }
 
 
   NetworkBuilder::NetworkBuilder(Eigen::MatrixXd nodes)
-    : nodes_(std::move(nodes))
-    , mass_(nodes_.cols(), 0.)
-    , neighbours_(nodes_.cols())
+    : nodes_(std::move(nodes)), mass_(nodes_.cols(), 0.)
   {}
 
-
   void
-  NetworkBuilder::add_springs(const std::vector<unsigned int> &vertices,
-                              const std::vector<NodePair> &pairs,
-                              const Eigen::Ref<const Eigen::VectorXd> &k)
+  NetworkBuilder::add(const Family &family,
+                      const std::vector<unsigned int> &nodes,
+                      const double scale)
   {
-    for (std::size_t s = 0; s < pairs.size(); ++s)
+    auto found =
+      std::find_if(families_.begin(), families_.end(), [&](const Family &f) {
+        return f.kind == family.kind;
+      });
+    if (found == families_.end())
+      found = families_.insert(families_.end(), Family(*family.kind));
+
+    const auto &columns = family.kind->columns();
+    const unsigned int n = family.kind->n_nodes();
+    for (std::size_t m = 0; m < family.size(); ++m)
       {
-        const auto [i, j] = nodes_of(pairs[s], vertices);
-        // A node has some ten neighbours: searching them one by one is
-        // quicker than any map.
-        auto &row  = neighbours_[i];
-        auto found = std::find_if(row.begin(),
-                                  row.end(),
-                                  [j = j](const Neighbour &neighbour) {
-                                    return neighbour.first == j;
-                                  });
-        if (found == row.end())
-          row.emplace_back(j, k[s]);
-        else
-          found->second += k[s];
+        std::vector<unsigned int> of_member(n);
+        for (unsigned int a = 0; a < n; ++a)
+          of_member[a] = nodes[family.nodes(m)[a]];
+        Numbers numbers = family.numbers(m);
+        if (scale != 1.)
+          for (std::size_t c = 0; c < columns.size(); ++c)
+            for (double &number : numbers[c])
+              number *= std::pow(scale, columns[c].power);
+        family.kind->canonicalise(of_member, numbers, nodes_);
+        found->add(of_member, numbers);
       }
   }
 
-
   void
-  NetworkBuilder::add_couplings(const std::vector<unsigned int> &vertices,
-                                const std::vector<NodePair> &pairs,
-                                const std::vector<LengthCoupling> &couplings)
-  {
-    for (const auto &[a, b, stiffness] : couplings)
-      couplings_.push_back({nodes_of(pairs[a], vertices),
-                            nodes_of(pairs[b], vertices),
-                            stiffness});
-  }
-
-
-  void
-  NetworkBuilder::add_angles(const std::vector<unsigned int> &vertices,
-                             const std::vector<NodeTriple> &triples,
-                             const Eigen::Ref<const Eigen::VectorXd> &k)
-  {
-    for (std::size_t t = 0; t < triples.size(); ++t)
-      {
-        const NodeTriple nodes = nodes_of(triples[t], vertices);
-        angles_.push_back({nodes,
-                           k[t],
-                           nodes_.rows() == 2 ? rest_angle<2>(nodes_, nodes)
-                                              : rest_angle<3>(nodes_, nodes)});
-      }
-  }
-
-
-  void
-  NetworkBuilder::add_volume(const std::vector<unsigned int> &vertices,
-                             const double stiffness,
-                             const double rest_volume)
-  {
-    volumes_.push_back({vertices, stiffness, rest_volume});
-  }
-
-
-  void
-  NetworkBuilder::add_masses(const std::vector<unsigned int> &vertices,
+  NetworkBuilder::add_masses(const std::vector<unsigned int> &nodes,
                              const Eigen::Ref<const Eigen::VectorXd> &masses)
   {
-    for (std::size_t v = 0; v < vertices.size(); ++v)
-      mass_[vertices[v]] += masses[v];
+    for (std::size_t v = 0; v < nodes.size(); ++v)
+      mass_[nodes[v]] += masses[v];
   }
-
 
   SpringNetwork
   NetworkBuilder::build() const
   {
-    SpringNetwork network;
-    network.nodes   = nodes_;
-    network.mass    = mass_;
-    network.volumes = volumes_;
-    network.angles =
-      merged(angles_, [](const AngleSpring &spring) { return spring.nodes; });
-    for (unsigned int i = 0; i < neighbours_.size(); ++i)
-      {
-        std::vector<Neighbour> row = neighbours_[i];
-        std::sort(row.begin(), row.end());
-        for (const auto &[j, k] : row)
-          {
-            network.i.push_back(i);
-            network.j.push_back(j);
-            network.stiffness.push_back(k);
-            network.rest_length.push_back(
-              (nodes_.col(j) - nodes_.col(i)).norm());
-          }
-      }
-    network.couplings = merged_couplings(network);
+    SpringNetwork network{nodes_, {}, mass_};
+    for (const auto &family : families_)
+      network.families.push_back(family.kind->is_shared() ? merged(family)
+                                                          : family);
     return network;
-  }
-
-
-  std::vector<LengthCoupling>
-  NetworkBuilder::merged_couplings(const SpringNetwork &network) const
-  {
-    // Springs are sorted by (i, j).
-    const auto position = [&](const NodePair &spring) -> unsigned int {
-      const auto row =
-        std::equal_range(network.i.begin(), network.i.end(), spring[0]);
-      const auto begin = network.j.begin() + (row.first - network.i.begin());
-      const auto end   = network.j.begin() + (row.second - network.i.begin());
-      const auto found = std::lower_bound(begin, end, spring[1]);
-      if (found == end || *found != spring[1])
-        throw std::logic_error("a coupling names a spring that is not there");
-      return found - network.j.begin();
-    };
-
-    std::vector<LengthCoupling> all;
-    for (const auto &coupling : couplings_)
-      {
-        const auto [a, b] =
-          std::minmax({position(coupling.a), position(coupling.b)});
-        all.push_back({a, b, coupling.stiffness});
-      }
-    return merged(all, [](const LengthCoupling &coupling) {
-      return std::pair(coupling.a, coupling.b);
-    });
   }
 } // namespace springfit

@@ -86,8 +86,8 @@ namespace springfit
       return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %10s %12s %9.3f",
                        network.name.c_str(),
                        network.cells.size(),
-                       network.network.stiffness.size(),
-                       n_negative(network.network),
+                       n_springs(network.network.families),
+                       n_negative(network.network.families),
                        100. * frobenius,
                        100. * spectral,
                        smallest ? formatted("%.2f", 100. * *smallest).c_str()
@@ -139,7 +139,7 @@ namespace springfit
 
       // Cauchy's relations: lambda = mu, whatever the constants of the springs.
       for (std::size_t n = 0; n < delivered.size(); ++n)
-        if (has_springs_alone(calibrated.networks[n].network))
+        if (has_springs_alone(calibrated.networks[n].network.families))
           {
             for (const double nu : wanted)
               if (differs(nu, delivered[n]))
@@ -156,7 +156,7 @@ namespace springfit
       // What other networks deliver is a mean over the materials.
       if (wanted.size() == 1)
         for (std::size_t n = 0; n < delivered.size(); ++n)
-          if (!has_springs_alone(calibrated.networks[n].network) &&
+          if (!has_springs_alone(calibrated.networks[n].network.families) &&
               differs(*wanted.begin(), delivered[n]))
             session.warn(formatted(
               "The network '%s' does not honour Poisson's ratio %.4g: that of "
@@ -167,7 +167,7 @@ namespace springfit
 
       constexpr double much = 0.1;
       for (std::size_t n = 0; n < anisotropies.size(); ++n)
-        if (!has_springs_alone(calibrated.networks[n].network) &&
+        if (!has_springs_alone(calibrated.networks[n].network.families) &&
             anisotropies[n] > much)
           session.warn(formatted(
             "The network '%s' is not isotropic: %.0f %% of its tensor depend "
@@ -240,7 +240,7 @@ namespace springfit
       }
     session.print(
       "Spring law: " +
-      word_of(spring_law_words(), calibrated.networks.front().network.law));
+      word_of(spring_law_words(), scene.fit.spring_law()));
     report_homogenised(scene, calibrated, session);
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");

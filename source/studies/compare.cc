@@ -86,9 +86,9 @@ namespace springfit
 
     /** Springs of stiffness >= 0 alone cannot. */
     bool
-    can_be_unstable(const SpringNetwork &network)
+    can_be_unstable(const Families &families)
     {
-      return n_negative(network) > 0 || !has_springs_alone(network);
+      return n_negative(families) > 0 || !has_springs_alone(families);
     }
 
     /**
@@ -103,10 +103,10 @@ namespace springfit
     {
       constexpr Eigen::Index largest = dim == 2 ? 50000 : 5000; // nodes
       for (const auto &network : calibrated.networks)
-        if (can_be_unstable(network.network) &&
+        if (can_be_unstable(network.network.families) &&
             network.network.nodes.cols() <= largest)
           if (const unsigned int n = n_unstable_motions(
-                NetworkBody<dim>(network.network),
+                NetworkBody(network.network),
                 Eigen::MatrixXd::Zero(dim, network.network.nodes.cols()),
                 loading.fixed);
               n > 0)
@@ -167,8 +167,8 @@ namespace springfit
                 row(result, response.equilibrium, response.kinematics));
               rows.back().fit               = network.fit;
               rows.back().enrichment        = network.enrichment;
-              rows.back().n_springs         = network.network.stiffness.size();
-              rows.back().n_negative        = n_negative(network.network);
+              rows.back().n_springs         = n_springs(network.network.families);
+              rows.back().n_negative        = n_negative(network.network.families);
               rows.back().calibrate_seconds = network.seconds;
               rows.back().lem_seconds       = response.equilibrium.seconds;
             }

@@ -9,6 +9,7 @@
 #include <springfit/mesh/mesh.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
+#include <springfit/springs/spring_law.h>
 
 #include <Eigen/Core>
 
@@ -39,6 +40,7 @@ namespace springfit
                    const MaterialTable &materials,
                    Method method,
                    const FitOptions &options,
+                   SpringLaw law,
                    const std::vector<Field> &fields,
                    const Eigen::MatrixXd &responses,
                    const std::string &name,

@@ -2,7 +2,6 @@
 #define springfit_calibration_object_scope_h
 
 #include <springfit/core/words.h>
-#include <springfit/fit/cell_model.h>
 #include <springfit/fit/fit.h>
 #include <springfit/fit/object_problem.h>
 #include <springfit/mesh/mesh.h>
@@ -55,10 +54,6 @@ namespace springfit
   const std::vector<Method> &
   object_methods();
 
-  /** The springs and enrichments of a cell, with constants of one. */
-  CellModel
-  unit_model(CellKind kind, Enrichment enrichment);
-
   /**
    * The stiffness of the finite elements of a mesh in N/m, n x n, without
    * supports. Degree of freedom dim * v + d is component d of vertex v.
@@ -77,22 +72,10 @@ namespace springfit
    *
    * @throws RunError when a term has no tangent at rest.
    */
-  template <int dim>
   ObjectProblem
   make_object_problem(const SpringNetwork &network,
                       const Eigen::SparseMatrix<double> &stiffness,
                       bool nonnegative);
-
-  /**
-   * The network with other constants, in the order of its terms: springs,
-   * couplings, angles, volumes; see network_terms.h.
-   */
-  SpringNetwork
-  with_constants(SpringNetwork network, const Eigen::VectorXd &constants);
-
-  /** The constants of a network in the order of its terms. */
-  Eigen::VectorXd
-  constants_of(const SpringNetwork &network);
 
   /** A whole object fitted, and how near its stiffness K is to R. */
   struct ObjectFit

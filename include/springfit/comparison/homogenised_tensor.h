@@ -16,15 +16,12 @@ namespace springfit
   using ElasticityTensor = Eigen::MatrixXd;
 
   /**
-   * The tensor of a network under affine deformation,
-   * C_ijkl = (1 / V) sum_s k_s L_s^2 n_i n_j n_k n_l (Born and Huang 1954);
-   * and what couplings c, angles and volume springs add:
-   * c (q_a q_b^T + q_b q_a^T) / V with q_s = L_s n_i n_j, k q q^T / V with
-   * q_ij = d theta / d u_i,j, and k V0^2 delta_ij delta_kl / V. @p volume in
-   * m^3 (in 2-d area times thickness).
-   *
-   * That of springs alone is symmetric in all four indices (Cauchy's
-   * relations), whatever their constants.
+   * The tensor of a network under affine deformation u_i = H_ij x_j: the second
+   * derivative of its energy by H, divided by @p volume in m^3 (in 2-d area
+   * times thickness), the springs' tension at rest included. Of springs at rest
+   * it is C_ijkl = (1 / V) sum_s k_s L_s^2 n_i n_j n_k n_l (Born and Huang
+   * 1954), symmetric in all four indices (Cauchy's relations), whatever their
+   * constants.
    */
   ElasticityTensor
   homogenised_tensor(const SpringNetwork &network, double volume);

@@ -3,7 +3,7 @@
 
 #include <springfit/core/cell_kind.h>
 #include <springfit/fit/cell_material.h>
-#include <springfit/springs/coupling.h>
+#include <springfit/springs/rest_families.h>
 
 #include <Eigen/Core>
 

@@ -4,6 +4,7 @@
 #include <springfit/fit/cell_model.h>
 #include <springfit/fit/enrichment.h>
 #include <springfit/fit/problem.h>
+#include <springfit/springs/network.h>
 
 #include <Eigen/Core>
 
@@ -15,7 +16,8 @@ namespace springfit
    */
   struct CellTerms
   {
-    Enrichment enrichment;
+    /** The terms in their order, with constants of one. */
+    Families unit;
 
     /**
      * The first ones, which a fit with k >= 0 keeps from being negative.
@@ -43,6 +45,15 @@ namespace springfit
    */
   CellTerms
   make_cell_terms(const FitProblem &problem, Enrichment enrichment);
+
+  /**
+   * The springs of a cell and its enrichment, at rest and with constants of
+   * one.
+   *
+   * @throws std::logic_error as angles_at_rest() does.
+   */
+  Families
+  unit_families(const FitProblem &problem, Enrichment enrichment);
 
   /** The forces of a cell from the constants of its terms, in N/m. */
   CellModel

@@ -3,6 +3,11 @@
 
 #include <springfit/fit/cell_model.h>
 #include <springfit/fit/problem.h>
+#include <springfit/springs/rest_families.h>
+
+#include <Eigen/Core>
+
+#include <vector>
 
 namespace springfit
 {
@@ -21,6 +26,12 @@ namespace springfit
    */
   CellModel
   fit_coupled_cell(const FitProblem &problem);
+
+  /** Springs of stiffness @p k (N/m) at rest, and couplings between them. */
+  CellModel
+  coupled_model(const FitProblem &problem,
+                const Eigen::VectorXd &k,
+                const std::vector<LengthCoupling> &couplings);
 } // namespace springfit
 
 #endif

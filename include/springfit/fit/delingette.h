@@ -2,7 +2,7 @@
 #define springfit_fit_delingette_h
 
 #include <springfit/fit/cell_material.h>
-#include <springfit/springs/coupling.h>
+#include <springfit/springs/rest_families.h>
 
 #include <Eigen/Core>
 

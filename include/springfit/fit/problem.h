@@ -46,7 +46,7 @@ namespace springfit
     /** Those that a fit shall suit besides the state at rest. */
     std::vector<DeformedState> states = {};
 
-    /** That of the springs in these states. */
+    /** That of springs and couplings. */
     SpringLaw law = SpringLaw::quadratic;
   };
 
@@ -62,9 +62,8 @@ namespace springfit
   residual(const FitProblem &problem, const Eigen::VectorXd &k);
 
   /**
-   * What all the lumped forces of a cell miss of R: E(k) without the tangents
-   * at rest of its couplings, c (b_a b_b^T + b_b b_a^T), of its angles and of
-   * its volume spring.
+   * What the lumped forces of a cell miss of R: R without their tangent at
+   * rest, stress stiffness included.
    */
   Eigen::MatrixXd
   residual(const FitProblem &problem, const CellModel &model);

@@ -54,6 +54,10 @@ namespace springfit
     const dealii::IndexSet &
     locally_owned() const;
 
+    /** A flag per node: those whose unknowns are this rank's. */
+    std::vector<bool>
+    owned_nodes() const;
+
     MPI_Comm
     communicator() const;
 

@@ -1,36 +1,59 @@
 #ifndef springfit_response_elastic_body_h
 #define springfit_response_elastic_body_h
 
-#include <springfit/core/energy_term.h>
+#include <springfit/springs/tangent_matrix.h>
 
 #include <Eigen/Core>
 
-#include <optional>
+#include <memory>
+#include <vector>
 
 namespace springfit
 {
   /**
-   * What both models are to statics: an elastic energy that is a sum of terms,
-   * each of which depends on the displacements of a few nodes.
+   * What both models are to statics: an elastic energy of the displacements of
+   * nodes (dim x n_nodes, m), and its derivatives.
    */
   class ElasticBody
   {
   public:
     virtual ~ElasticBody() = default;
 
-    virtual unsigned int
-    n_terms() const = 0;
+    /** J; not finite where the body has no energy or no derivatives. */
+    virtual double
+    energy(const Eigen::MatrixXd &displacement) const = 0;
 
-    /** A node of a term, always the same one: it says which rank has it. */
-    virtual unsigned int
-    first_node(unsigned int term) const = 0;
+    // At displacements of finite energy only.
+
+    /** Add the forces on the nodes, -grad U, in N; dim x n_nodes. */
+    virtual void
+    add_forces(const Eigen::MatrixXd &displacement,
+               Eigen::MatrixXd &forces) const = 0;
+
+    /** Add the Hessian of the energy, N/m. */
+    virtual void
+    add_tangent(const Eigen::MatrixXd &displacement,
+                TangentMatrix &tangent) const = 0;
 
     /**
-     * A term at @p displacement (m, dim x n_nodes of the body), or nothing
-     * where it has no finite energy or derivative.
+     * The same with the negative eigenvalues of each spring's or cell's Hessian
+     * left out: positive semidefinite, so that its Newton step leads downhill
+     * everywhere (Teran, Sifakis, Irving and Fedkiw 2005).
      */
-    virtual std::optional<EnergyTerm>
-    evaluate(unsigned int term, const Eigen::MatrixXd &displacement) const = 0;
+    virtual void
+    add_convex_tangent(const Eigen::MatrixXd &displacement,
+                       TangentMatrix &tangent) const = 0;
+
+    /** The nodes that have entries in the tangent with each other. */
+    virtual void
+    add_to_pattern(NodePattern &pattern) const = 0;
+
+    /**
+     * The part of the body whose springs or cells have their first node among
+     * those flagged: the parts of all ranks together are the body.
+     */
+    virtual std::unique_ptr<const ElasticBody>
+    share(const std::vector<bool> &nodes) const = 0;
   };
 } // namespace springfit
 

@@ -7,35 +7,64 @@
 #include <springfit/reference/material.h>
 #include <springfit/reference/material_law.h>
 #include <springfit/response/elastic_body.h>
+#include <springfit/springs/tangent_matrix.h>
 
+#include <Eigen/Core>
+
+#include <memory>
 #include <vector>
 
 namespace springfit
 {
-  /** The finite elements of a mesh as a body: a term for each cell. */
+  /** The finite elements of a mesh as a body. */
   template <int dim>
   class FiniteElementBody : public ElasticBody
   {
   public:
-    /** @p mesh must outlive the object. */
+    using Cell = typename CellEnergy<dim>::Cell;
+
+    /** @p mesh and @p element must outlive the object. */
     FiniteElementBody(const Mesh<dim> &mesh,
                       const Element<dim> &element,
                       const MaterialTable &materials,
                       MaterialLaw law);
 
-    unsigned int
-    n_terms() const override;
+    FiniteElementBody(std::vector<Cell> cells,
+                      const Element<dim> &element,
+                      const MaterialTable &materials,
+                      MaterialLaw law);
 
-    unsigned int
-    first_node(unsigned int term) const override;
+    double
+    energy(const Eigen::MatrixXd &displacement) const override;
 
-    std::optional<EnergyTerm>
-    evaluate(unsigned int term,
-             const Eigen::MatrixXd &displacement) const override;
+    void
+    add_forces(const Eigen::MatrixXd &displacement,
+               Eigen::MatrixXd &forces) const override;
+
+    void
+    add_tangent(const Eigen::MatrixXd &displacement,
+                TangentMatrix &tangent) const override;
+
+    void
+    add_convex_tangent(const Eigen::MatrixXd &displacement,
+                       TangentMatrix &tangent) const override;
+
+    void
+    add_to_pattern(NodePattern &pattern) const override;
+
+    std::unique_ptr<const ElasticBody>
+    share(const std::vector<bool> &nodes) const override;
 
   private:
+    /** Calls @p f with the energy term of each cell; of finite energy. */
+    template <typename F>
+    void
+    for_each_term(const Eigen::MatrixXd &displacement, const F &f) const;
+
+    const std::vector<Cell> cells_;
+    const Element<dim> &element_;
     const MaterialTable materials_;
-    std::vector<typename CellEnergy<dim>::Cell> cells_;
+    const MaterialLaw law_;
 
     // deal.II's values move from cell to cell.
     mutable CellEnergy<dim> energy_;

@@ -4,28 +4,46 @@
 #include <springfit/response/elastic_body.h>
 #include <springfit/springs/network.h>
 
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
 namespace springfit
 {
-  /** A network of springs as a body; see network_terms.h. */
-  template <int dim>
+  /** Families of springs as a body. */
   class NetworkBody : public ElasticBody
   {
   public:
-    /** @p network must outlive the object. */
     explicit NetworkBody(const SpringNetwork &network);
 
-    unsigned int
-    n_terms() const override;
+    /** @param nodes places at rest, dim x n_nodes, m */
+    NetworkBody(Eigen::MatrixXd nodes, Families families);
 
-    unsigned int
-    first_node(unsigned int term) const override;
+    double
+    energy(const Eigen::MatrixXd &displacement) const override;
 
-    std::optional<EnergyTerm>
-    evaluate(unsigned int term,
-             const Eigen::MatrixXd &displacement) const override;
+    void
+    add_forces(const Eigen::MatrixXd &displacement,
+               Eigen::MatrixXd &forces) const override;
+
+    void
+    add_tangent(const Eigen::MatrixXd &displacement,
+                TangentMatrix &tangent) const override;
+
+    void
+    add_convex_tangent(const Eigen::MatrixXd &displacement,
+                       TangentMatrix &tangent) const override;
+
+    void
+    add_to_pattern(NodePattern &pattern) const override;
+
+    std::unique_ptr<const ElasticBody>
+    share(const std::vector<bool> &nodes) const override;
 
   private:
-    const SpringNetwork &network_;
+    const Eigen::MatrixXd nodes_;
+    const Families families_;
   };
 } // namespace springfit
 

@@ -2,7 +2,7 @@
 #define springfit_response_newton_h
 
 #include <springfit/response/discretization.h>
-#include <springfit/response/elastic_body.h>
+#include <springfit/response/distributed_body.h>
 #include <springfit/response/linear_solver.h>
 
 #include <Eigen/Core>
@@ -40,7 +40,7 @@ namespace springfit
   template <int dim>
   NewtonResult<dim>
   newton(const Discretization<dim> &discretization,
-         const ElasticBody &body,
+         DistributedBody<dim> &body,
          const SolverFactory<dim> &make_solver,
          const typename Discretization<dim>::Vector &forces,
          const Eigen::MatrixXd &start,

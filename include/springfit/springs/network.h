@@ -1,181 +1,139 @@
 #ifndef springfit_springs_network_h
 #define springfit_springs_network_h
 
-#include <springfit/springs/cell_topology.h>
-#include <springfit/springs/coupling.h>
-#include <springfit/springs/elongation.h>
+#include <springfit/springs/family.h>
+#include <springfit/springs/tangent_matrix.h>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
-#include <utility>
+#include <map>
 #include <vector>
 
 namespace springfit
 {
-  /**
-   * A spring whose coordinate is the volume V of a cell, in 2-d its area:
-   * energy stiffness (V - rest_volume)^2 / 2, in J; see volume.h.
-   */
-  struct VolumeSpring
-  {
-    /** The cell's vertices in deal.II's numbering; they tell its kind. */
-    std::vector<unsigned int> nodes;
+  // Several families as one elastic body: what a family does, done by all.
 
-    /** J/m^6 = N/m^5 in 3-d, J/m^4 = N/m^3 in 2-d */
-    double stiffness;
+  using Families = std::vector<Family>;
 
-    /** m^3, in 2-d m^2 */
-    double rest_volume;
-  };
+  /** J; infinite where a member has no derivatives. */
+  double
+  energy(const Families &families, const Eigen::MatrixXd &x);
 
-  /**
-   * A spring whose coordinate is the angle theta at the middle one of three
-   * nodes, of the energy stiffness (theta - rest_angle)^2 / 2, in J; see
-   * angle.h. At rest it is neither straight nor folded.
-   */
-  struct AngleSpring
-  {
-    /** {end, middle, end}, the ends in ascending order. */
-    NodeTriple nodes;
+  /** See SpringKind. */
+  void
+  add_forces(const Families &families,
+             const Eigen::MatrixXd &x,
+             Eigen::MatrixXd &forces);
 
-    /** J = N m (per rad^2) */
-    double stiffness;
+  void
+  add_tangent_product(const Families &families,
+                      const Eigen::MatrixXd &x,
+                      const Eigen::MatrixXd &u,
+                      Eigen::MatrixXd &product);
 
-    /** rad */
-    double rest_angle;
-  };
+  void
+  add_tangent(const Families &families,
+              const Eigen::MatrixXd &x,
+              TangentMatrix &tangent);
+
+  /** The nodes of every member as a clique. */
+  void
+  add_to_pattern(const Families &families, NodePattern &pattern);
 
   /**
-   * Point masses and the springs between them. Spring s connects the nodes
-   * i[s] < j[s]; springs are sorted by (i, j) and no pair occurs twice.
+   * The Hessian of the energy at the places @p x (dim x n_nodes), N/m,
+   * stress stiffness included: row dim * v + d for component d of node v.
    */
+  Eigen::SparseMatrix<double>
+  tangent(const Families &families, const Eigen::MatrixXd &x);
+
+  bool
+  all_finite(const Families &families);
+
+  // The constants in which the energy is linear, of one member after the other:
+  // families whose first column is a stiffness of a single coordinate.
+
+  /** @throws std::logic_error when a family has no such constant. */
+  Eigen::VectorXd
+  constants_of(const Families &families);
+
+  /**
+   * The same families with other constants.
+   *
+   * @throws std::logic_error as constants_of() does, or for another number of
+   * them.
+   */
+  Families
+  with_constants(Families families, const Eigen::VectorXd &constants);
+
+  // Of the springs between two nodes.
+
+  std::size_t
+  n_springs(const Families &families);
+
+  /** Those of negative stiffness, see negative.h. */
+  unsigned int
+  n_negative(const Families &families);
+
+  /** The stiffness of the springs, N/m. */
+  Eigen::VectorXd
+  spring_stiffness(const Families &families);
+
+  /** Whether there are springs between two nodes and nothing else. */
+  bool
+  has_springs_alone(const Families &families);
+
+
+  /** Point masses and the springs between them. */
   struct SpringNetwork
   {
-    /** dim x n_nodes, m */
+    /** The places at rest, dim x n_nodes, m */
     Eigen::MatrixXd nodes;
 
-    std::vector<unsigned int> i;
-    std::vector<unsigned int> j;
-
-    /** N/m */
-    std::vector<double> stiffness;
-
-    /** m */
-    std::vector<double> rest_length;
-
-    /**
-     * Terms between the elongations of two springs, sorted by their positions
-     * (a, b) in the list of springs; no pair occurs twice.
-     */
-    std::vector<LengthCoupling> couplings;
-
-    /** Sorted by their nodes; no triple occurs twice. */
-    std::vector<AngleSpring> angles;
-
-    /** In the order of the cells. */
-    std::vector<VolumeSpring> volumes;
-
-    /** That of all springs and couplings. */
-    SpringLaw law = SpringLaw::quadratic;
+    /** At most one of a kind. */
+    Families families;
 
     /** per node, kg */
     std::vector<double> mass;
   };
 
-  unsigned int
-  n_negative(const SpringNetwork &network);
-
-  /** Whether a network has neither couplings nor angles nor volumes. */
-  bool
-  has_springs_alone(const SpringNetwork &network);
-
 
   /**
-   * Assembles a network cell by cell: the constants of springs, couplings and
-   * angles and the masses of nodes that cells share are added, in the order of
-   * the cells.
+   * Assembles a network cell by cell. Members of the same nodes whose kind
+   * neighbours share become one, in the order of the cells: their stiffness
+   * adds up. Where their rest values differ and the energy is a square of the
+   * distance from them, so do k and k times the rest value; otherwise they
+   * remain two members.
    */
   class NetworkBuilder
   {
   public:
-    /** @param nodes dim x n_nodes, m: the rest positions. */
+    /** @param nodes dim x n_nodes, m: the places at rest. */
     explicit NetworkBuilder(Eigen::MatrixXd nodes);
 
     /**
-     * @param vertices the cell's nodes
-     * @param pairs the cell's springs, as positions in @p vertices
-     * @param k the stiffness of each, N/m
+     * @param family of a cell, whose nodes are positions in @p nodes
+     * @param nodes of the cell
+     * @param scale the size of the cell relative to that of the family's one
      */
     void
-    add_springs(const std::vector<unsigned int> &vertices,
-                const std::vector<NodePair> &pairs,
-                const Eigen::Ref<const Eigen::VectorXd> &k);
+    add(const Family &family,
+        const std::vector<unsigned int> &nodes,
+        double scale = 1.);
 
-    /**
-     * @param vertices the cell's nodes
-     * @param pairs the cell's springs, as positions in @p vertices. Each of
-     * those coupled must be added as a spring too, be it without stiffness.
-     * @param couplings between positions in @p pairs
-     */
+    /** @param masses one per node, kg */
     void
-    add_couplings(const std::vector<unsigned int> &vertices,
-                  const std::vector<NodePair> &pairs,
-                  const std::vector<LengthCoupling> &couplings);
-
-    /**
-     * @param vertices the cell's nodes
-     * @param triples the cell's angles, as positions in @p vertices
-     * @param k the stiffness of each, J = N m (per rad^2)
-     *
-     * @throws std::logic_error when an angle is straight or folded: fits
-     * refuse it, see angle_gradients.
-     */
-    void
-    add_angles(const std::vector<unsigned int> &vertices,
-               const std::vector<NodeTriple> &triples,
-               const Eigen::Ref<const Eigen::VectorXd> &k);
-
-    /**
-     * @param vertices the cell's nodes in deal.II's numbering
-     * @param stiffness see VolumeSpring
-     * @param rest_volume m^3, in 2-d m^2
-     */
-    void
-    add_volume(const std::vector<unsigned int> &vertices,
-               double stiffness,
-               double rest_volume);
-
-    /** @param masses one per vertex, kg */
-    void
-    add_masses(const std::vector<unsigned int> &vertices,
+    add_masses(const std::vector<unsigned int> &nodes,
                const Eigen::Ref<const Eigen::VectorXd> &masses);
 
-    /** @throws std::logic_error when a coupling names an absent spring. */
     SpringNetwork
     build() const;
 
   private:
-    /** The other node and the stiffness. */
-    using Neighbour = std::pair<unsigned int, double>;
-
-    /** Two springs by their nodes. */
-    struct Coupling
-    {
-      NodePair a;
-      NodePair b;
-      double stiffness;
-    };
-
-    /** Sorted by their springs, those of the same two springs added up. */
-    std::vector<LengthCoupling>
-    merged_couplings(const SpringNetwork &network) const;
-
     Eigen::MatrixXd nodes_;
     std::vector<double> mass_;
-    std::vector<std::vector<Neighbour>> neighbours_;
-    std::vector<Coupling> couplings_;
-    std::vector<AngleSpring> angles_;
-    std::vector<VolumeSpring> volumes_;
+    Families families_;
   };
 } // namespace springfit
 

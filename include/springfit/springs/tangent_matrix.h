@@ -1,0 +1,68 @@
+#ifndef springfit_springs_tangent_matrix_h
+#define springfit_springs_tangent_matrix_h
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace springfit
+{
+  /** Which nodes have entries in common. */
+  class NodePattern
+  {
+  public:
+    explicit NodePattern(Eigen::Index n_nodes);
+
+    /** Nodes from @p nodes on, all of which have entries with each other. */
+    void
+    add_clique(const unsigned int *nodes, std::size_t n);
+
+    /** By node, those that it has entries with, ascending. */
+    std::vector<std::vector<unsigned int>>
+    neighbours() const;
+
+  private:
+    std::vector<std::vector<unsigned int>> neighbours_;
+  };
+
+
+  /**
+   * A matrix on the displacements of nodes, in N/m, of a sparsity that is fixed
+   * when it is made. Row and column dim * v + d are component d of node v.
+   */
+  class TangentMatrix
+  {
+  public:
+    TangentMatrix(int dim, const NodePattern &pattern);
+
+    void
+    set_zero();
+
+    /** Add a block at the rows of node @p a and the columns of @p b. */
+    template <typename Block>
+    void
+    add(const unsigned int a, const unsigned int b, const Block &block)
+    {
+      constexpr int dim   = Block::RowsAtCompileTime;
+      const int *row      = matrix_.innerIndexPtr();
+      const int *column   = matrix_.outerIndexPtr() + dim * b;
+      const int *position = std::lower_bound(row + column[0],
+                                             row + column[1],
+                                             static_cast<int>(dim * a));
+      const auto first    = (position - row) - column[0];
+      for (int d = 0; d < dim; ++d)
+        for (int c = 0; c < dim; ++c)
+          matrix_.valuePtr()[column[d] + first + c] += block(c, d);
+    }
+
+    const Eigen::SparseMatrix<double> &
+    matrix() const;
+
+  private:
+    Eigen::SparseMatrix<double> matrix_;
+  };
+} // namespace springfit
+
+#endif

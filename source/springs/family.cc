@@ -1,0 +1,119 @@
+#include <springfit/springs/family.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace springfit
+{
+  SpringKind::SpringKind(std::string word,
+                         std::vector<std::string> node_names,
+                         std::vector<Column> columns)
+    : word_(std::move(word))
+    , node_names_(std::move(node_names))
+    , columns_(std::move(columns))
+  {}
+
+  const std::string &
+  SpringKind::word() const
+  {
+    return word_;
+  }
+
+  const std::vector<std::string> &
+  SpringKind::node_names() const
+  {
+    return node_names_;
+  }
+
+  const std::vector<Column> &
+  SpringKind::columns() const
+  {
+    return columns_;
+  }
+
+  unsigned int
+  SpringKind::n_nodes() const
+  {
+    return node_names_.size();
+  }
+
+  bool
+  SpringKind::rest_values_average() const
+  {
+    return false;
+  }
+
+  void
+  SpringKind::canonicalise(std::vector<unsigned int> &,
+                           std::vector<std::vector<double>> &,
+                           const Eigen::MatrixXd &) const
+  {}
+
+
+  Family::Family(const SpringKind &kind) : kind(&kind)
+  {
+    members.columns.resize(kind.columns().size());
+  }
+
+  std::size_t
+  Family::size() const
+  {
+    return members.nodes.size() / kind->n_nodes();
+  }
+
+  const unsigned int *
+  Family::nodes(const std::size_t member) const
+  {
+    return members.nodes.data() + kind->n_nodes() * member;
+  }
+
+  void
+  Family::add(const std::vector<unsigned int> &nodes,
+              const std::vector<std::vector<double>> &numbers)
+  {
+    members.nodes.insert(members.nodes.end(), nodes.begin(), nodes.end());
+    for (std::size_t c = 0; c < numbers.size(); ++c)
+      members.columns[c].insert(members.columns[c].end(),
+                                numbers[c].begin(),
+                                numbers[c].end());
+  }
+
+  std::vector<std::vector<double>>
+  Family::numbers(const std::size_t member) const
+  {
+    std::vector<std::vector<double>> numbers;
+    for (std::size_t c = 0; c < members.columns.size(); ++c)
+      {
+        const unsigned int width = kind->columns()[c].width;
+        const auto first = members.columns[c].begin() + width * member;
+        numbers.emplace_back(first, first + width);
+      }
+    return numbers;
+  }
+
+
+  Family
+  selected(const Family &family, const std::vector<std::size_t> &members)
+  {
+    Family some(*family.kind);
+    for (const std::size_t m : members)
+      some.add({family.nodes(m), family.nodes(m) + family.kind->n_nodes()},
+               family.numbers(m));
+    return some;
+  }
+
+  bool
+  all_finite(const Family &family)
+  {
+    return std::all_of(family.members.columns.begin(),
+                       family.members.columns.end(),
+                       [](const std::vector<double> &column) {
+                         return std::all_of(column.begin(),
+                                            column.end(),
+                                            [](const double number) {
+                                              return std::isfinite(number);
+                                            });
+                       });
+  }
+} // namespace springfit

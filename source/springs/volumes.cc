@@ -1,0 +1,364 @@
+#include <springfit/springs/lanes.h>
+#include <springfit/springs/volume_kind.h>
+#include <springfit/springs/volume_laws.h>
+#include <springfit/springs/volumes.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace springfit
+{
+  namespace
+  {
+    template <CellKind kind_, int dim_, int n_nodes_, typename T>
+    struct SingleVolume
+    {
+      static constexpr CellKind kind = kind_;
+      static constexpr int dim       = dim_;
+      static constexpr int n_nodes   = n_nodes_;
+      static constexpr int n_volumes = 1;
+      using Vector                   = SmallVector<dim_, T>;
+      using Places                   = NodeVectors<dim_, n_nodes_, T>;
+      using Values                   = std::array<T, 1>;
+    };
+
+
+    /** a x b / 2 of two vectors a and b in the plane. */
+    template <typename T>
+    T
+    half_cross(const SmallVector<2, T> &a, const SmallVector<2, T> &b)
+    {
+      return 0.5 * cross(a, b);
+    }
+
+
+    /** a x b / 2 of the edges a and b from vertex 0. */
+    template <typename T>
+    class Triangle : public SingleVolume<CellKind::triangle, 2, 3, T>
+    {
+    public:
+      using typename Triangle::SingleVolume::Places;
+      using typename Triangle::SingleVolume::Values;
+      using typename Triangle::SingleVolume::Vector;
+
+      struct Edges
+      {
+        explicit Edges(const Places &x) : a(x[1] - x[0]), b(x[2] - x[0]) {}
+
+        Vector a, b;
+      };
+
+      explicit Triangle(const Edges &x) : x_(x) {}
+
+      Values
+      values() const
+      {
+        return {half_cross(x_.a, x_.b)};
+      }
+
+      Values
+      change(const Edges &u) const
+      {
+        return {half_cross(u.a, x_.b) + half_cross(x_.a, u.b)};
+      }
+
+      Places
+      gradient(const Values &s) const
+      {
+        return on_vertices(x_.a * s[0], x_.b * s[0]);
+      }
+
+      Places
+      product(const Values &w, const Values &s, const Edges &u) const
+      {
+        return on_vertices(x_.a * w[0] + u.a * s[0], x_.b * w[0] + u.b * s[0]);
+      }
+
+    private:
+      static Places
+      on_vertices(const Vector &a, const Vector &b)
+      {
+        const Vector of_1 = turned(b) * (T() + 0.5);
+        const Vector of_2 = turned(a) * (T() - 0.5);
+        return {-(of_1 + of_2), of_1, of_2};
+      }
+
+      const Edges x_;
+    };
+
+
+    /** a x b / 2 of the diagonals, a from vertex 0 to 3, b from 1 to 2. */
+    template <typename T>
+    class Quadrilateral : public SingleVolume<CellKind::quadrilateral, 2, 4, T>
+    {
+    public:
+      using typename Quadrilateral::SingleVolume::Places;
+      using typename Quadrilateral::SingleVolume::Values;
+      using typename Quadrilateral::SingleVolume::Vector;
+
+      struct Edges
+      {
+        explicit Edges(const Places &x) : a(x[3] - x[0]), b(x[2] - x[1]) {}
+
+        Vector a, b;
+      };
+
+      explicit Quadrilateral(const Edges &x) : x_(x) {}
+
+      Values
+      values() const
+      {
+        return {half_cross(x_.a, x_.b)};
+      }
+
+      Values
+      change(const Edges &u) const
+      {
+        return {half_cross(u.a, x_.b) + half_cross(x_.a, u.b)};
+      }
+
+      Places
+      gradient(const Values &s) const
+      {
+        return on_vertices(x_.a * s[0], x_.b * s[0]);
+      }
+
+      Places
+      product(const Values &w, const Values &s, const Edges &u) const
+      {
+        return on_vertices(x_.a * w[0] + u.a * s[0], x_.b * w[0] + u.b * s[0]);
+      }
+
+    private:
+      static Places
+      on_vertices(const Vector &a, const Vector &b)
+      {
+        const Vector of_3 = turned(b) * (T() + 0.5);
+        const Vector of_1 = turned(a) * (T() + 0.5);
+        return {-of_3, of_1, -of_1, of_3};
+      }
+
+      const Edges x_;
+    };
+
+
+    /** det (a, b, c) / 6 of the edges from vertex 0. */
+    template <typename T>
+    class Tetrahedron : public SingleVolume<CellKind::tetrahedron, 3, 4, T>
+    {
+    public:
+      using typename Tetrahedron::SingleVolume::Places;
+      using typename Tetrahedron::SingleVolume::Values;
+      using typename Tetrahedron::SingleVolume::Vector;
+
+      struct Edges
+      {
+        explicit Edges(const Places &x)
+          : a(x[1] - x[0]), b(x[2] - x[0]), c(x[3] - x[0])
+        {}
+
+        Vector a, b, c;
+      };
+
+      explicit Tetrahedron(const Edges &x)
+        : x_(x), bc_(cross(x.b, x.c)), ca_(cross(x.c, x.a)), ab_(cross(x.a, x.b))
+      {}
+
+      Values
+      values() const
+      {
+        return {dot(x_.a, bc_) * (1. / 6.)};
+      }
+
+      Values
+      change(const Edges &u) const
+      {
+        return {(dot(u.a, bc_) + dot(u.b, ca_) + dot(u.c, ab_)) * (1. / 6.)};
+      }
+
+      Places
+      gradient(const Values &s) const
+      {
+        const T t = s[0] * (1. / 6.);
+        return on_vertices(bc_ * t, ca_ * t, ab_ * t);
+      }
+
+      Places
+      product(const Values &w, const Values &s, const Edges &u) const
+      {
+        // The cofactors are quadratic: their change with u is that with
+        // s u, and w times them is added in the same way.
+        const T t = s[0] * (1. / 6.), r = w[0] * (1. / 6.);
+        const Vector a = u.a * t, b = u.b * t, c = u.c * t;
+        return on_vertices(bc_ * r + cross(b, x_.c) + cross(x_.b, c),
+                           ca_ * r + cross(c, x_.a) + cross(x_.c, a),
+                           ab_ * r + cross(a, x_.b) + cross(x_.a, b));
+      }
+
+    private:
+      static Places
+      on_vertices(const Vector &of_1, const Vector &of_2, const Vector &of_3)
+      {
+        return {-(of_1 + of_2 + of_3), of_1, of_2, of_3};
+      }
+
+      const Edges x_;
+      const Vector bc_, ca_, ab_;
+    };
+
+
+    /**
+     * The volume of the trilinear map as the sum of three determinants of
+     * differences of vertices, divided by 12 (Grandy, "Efficient computation of
+     * volume of hexahedral cells", LLNL report UCRL-ID-128886 (1997)).
+     */
+    template <typename T>
+    class Hexahedron : public SingleVolume<CellKind::hexahedron, 3, 8, T>
+    {
+    public:
+      using typename Hexahedron::SingleVolume::Places;
+      using typename Hexahedron::SingleVolume::Values;
+      using typename Hexahedron::SingleVolume::Vector;
+
+      struct Edges
+      {
+        explicit Edges(const Places &x)
+          : A(x[7] - x[1])
+          , B(x[6] - x[0])
+          , C(x[7] - x[2])
+          , D(x[3] - x[0])
+          , E(x[5] - x[0])
+          , F(x[7] - x[4])
+          , AB(A + B)
+          , CE(C + E)
+          , FD(F + D)
+        {}
+
+        Vector A, B, C, D, E, F, AB, CE, FD;
+      };
+
+      explicit Hexahedron(const Edges &x) : x_(x), gradients_(gradients(x)) {}
+
+      Values
+      values() const
+      {
+        // The volume is homogeneous, of the third degree.
+        return {change(x_)[0] * (1. / 3.)};
+      }
+
+      Values
+      change(const Edges &u) const
+      {
+        const auto &[A, B, C, D, E, F] = gradients_;
+        return {(dot(A, u.A) + dot(B, u.B) + dot(C, u.C) + dot(D, u.D) +
+                 dot(E, u.E) + dot(F, u.F)) *
+                (1. / 12.)};
+      }
+
+      Places
+      gradient(const Values &s) const
+      {
+        return on_vertices(gradients_, s[0] * (1. / 12.));
+      }
+
+      Places
+      product(const Values &w, const Values &s, const Edges &u) const
+      {
+        Places sum           = on_vertices(gradients_, w[0] * (1. / 12.));
+        const Places changes = on_vertices(gradient_changes(u), s[0] * (1. / 12.));
+        for (int a = 0; a < 8; ++a)
+          sum[a] = sum[a] + changes[a];
+        return sum;
+      }
+
+    private:
+      /** 12 times the derivatives of the volume by the differences. */
+      struct Gradients
+      {
+        Vector A, B, C, D, E, F;
+      };
+
+      static Gradients
+      gradients(const Edges &x)
+      {
+        const Vector p = cross(x.C, x.D);
+        return {p + cross(x.E, x.FD),
+                p + cross(x.CE, x.F),
+                cross(x.D, x.AB) + cross(x.F, x.B),
+                cross(x.AB, x.C) + cross(x.A, x.E),
+                cross(x.F, x.B) + cross(x.FD, x.A),
+                cross(x.B, x.CE) + cross(x.A, x.E)};
+      }
+
+      Gradients
+      gradient_changes(const Edges &u) const
+      {
+        const Edges &x  = x_;
+        const Vector p  = cross(u.C, x.D) + cross(x.C, u.D);
+        const Vector q2 = cross(u.F, x.B) + cross(x.F, u.B);
+        const Vector r3 = cross(u.A, x.E) + cross(x.A, u.E);
+        return {p + cross(u.E, x.FD) + cross(x.E, u.FD),
+                p + cross(u.CE, x.F) + cross(x.CE, u.F),
+                q2 + cross(u.D, x.AB) + cross(x.D, u.AB),
+                r3 + cross(u.AB, x.C) + cross(x.AB, u.C),
+                q2 + cross(u.FD, x.A) + cross(x.FD, u.A),
+                r3 + cross(u.B, x.CE) + cross(x.B, u.CE)};
+      }
+
+      static Places
+      on_vertices(const Gradients &g, const T &w)
+      {
+        const Vector A = g.A * w, B = g.B * w, C = g.C * w, D = g.D * w,
+                     E = g.E * w, F = g.F * w;
+        return {-(B + D + E), -A, -C, D, -F, E, B, A + C + F};
+      }
+
+      const Edges x_;
+      const Gradients gradients_;
+    };
+
+
+    template <typename Law>
+    const SpringKind &
+    volumes_with(const CellKind kind, const std::string &word)
+    {
+      static const VolumeKind<Triangle, Law> triangles(word);
+      static const VolumeKind<Quadrilateral, Law> quadrilaterals(word);
+      static const VolumeKind<Tetrahedron, Law> tetrahedra(word);
+      static const VolumeKind<Hexahedron, Law> hexahedra(word);
+      switch (kind)
+        {
+          case CellKind::triangle:
+            return triangles;
+          case CellKind::quadrilateral:
+            return quadrilaterals;
+          case CellKind::tetrahedron:
+            return tetrahedra;
+          case CellKind::hexahedron:
+            return hexahedra;
+        }
+      throw std::logic_error("a cell has no volume");
+    }
+  } // namespace
+
+  const SpringKind &
+  volumes(const CellKind kind)
+  {
+    return volumes_with<QuadraticVolumeLaw>(kind, "volumes");
+  }
+
+  const SpringKind &
+  logarithmic_volumes(const CellKind kind)
+  {
+    return volumes_with<LogarithmicVolumeLaw>(kind, "volumes");
+  }
+
+  const SpringKind &
+  logarithmic_areas_in_plane_stress(const CellKind kind)
+  {
+    if (dimension(kind) != 2)
+      throw std::logic_error("only cells in the plane are in plane stress");
+    return volumes_with<PlaneStressVolumeLaw>(kind, "volumes");
+  }
+} // namespace springfit
