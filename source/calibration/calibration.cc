@@ -57,7 +57,7 @@ namespace springfit
                         Session &session)
     {
       std::set<Method> methods;
-      for (const auto &row : section.rows())
+      for (const auto &row : section.rows(mesh.cell_kind))
         if (methods.insert(row.method).second)
           for (const auto &[assumption, n_cells] :
                count_unmet_assumptions<dim>(cells, mesh, materials, row.method))
@@ -122,11 +122,27 @@ namespace springfit
       if (options.enrichment != Enrichment::none)
         warn_of_indefinite_cells(fits, name, session);
       const unsigned int n = n_negative(fitted.network.families);
-      if (options.nonnegative && is_published(method) && n > 0)
+      if (options.nonnegative && has_formulas(method) &&
+          !is_finite_element(method) && n > 0)
         session.warn("Of the springs of '" + name + "' " + std::to_string(n) +
                      " are negative: 'Nonnegative' does not change the "
                      "constants of a published fit.");
       return fitted;
+    }
+
+    /** @return whether there was anything to explain. */
+    bool
+    explain_negative_springs(const SpringNetwork &network, Session &session)
+    {
+      const unsigned int n = n_negative(network.families);
+      if (n == 0)
+        return false;
+      session.print(
+        "Of the springs under tension " + std::to_string(n) +
+        " have a stiffness < 0: they lie opposite to obtuse angles, and push "
+        "where the others pull. The cells are as stable as their finite "
+        "elements all the same; 'Nonnegative' does not apply to them.");
+      return true;
     }
   } // namespace
 
@@ -148,13 +164,12 @@ namespace springfit
     warn_of_assumptions(section, cells, mesh, materials, session);
 
     std::vector<CalibratedNetwork> networks;
-    for (const auto &row : section.rows())
+    bool is_explained = false;
+    for (const auto &row : section.rows(mesh.cell_kind))
       {
-        const std::string fit = word_of(method_words(), row.method);
-        const std::string enrichment =
-          word_of(enrichment_words(), row.enrichment);
-        const std::string name =
-          row.enrichment == Enrichment::none ? fit : fit + '_' + enrichment;
+        const std::string fit        = name_of(row.method);
+        const std::string enrichment = name_of(row.enrichment);
+        const std::string name       = name_of(fit, enrichment);
 
         dealii::TimerOutput::Scope scope(session.timer(),
                                          "Calibration, " + name);
@@ -181,11 +196,14 @@ namespace springfit
                               {section.states(), law, section.spring_law()},
                               name,
                               session);
+        if (is_finite_element(row.method) && !is_explained)
+          is_explained = explain_negative_springs(fitted.network, session);
         networks.push_back({std::move(fitted),
                             name,
                             fit,
                             enrichment,
                             section.scope(),
+                            is_finite_element(row.method),
                             timer.wall_time()});
       }
     return networks;

@@ -68,10 +68,13 @@ namespace springfit
   IsotropicMaterial
   material_of(const CellMaterial &material)
   {
-    return isotropic_material(dim,
-                              material.lame.lambda,
-                              material.lame.mu,
-                              material.thickness);
+    IsotropicMaterial isotropic = isotropic_material(dim,
+                                                     material.lame.lambda,
+                                                     material.lame.mu,
+                                                     material.thickness);
+    isotropic.is_in_plane_stress =
+      dim == 2 && material.plane_state == PlaneState::stress;
+    return isotropic;
   }
 
 

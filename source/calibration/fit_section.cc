@@ -43,6 +43,16 @@ namespace springfit
         return row.method == Method::consistent;
       });
     }
+
+    /** Whether any row has volumes under pressure. */
+    template <typename Row>
+    bool
+    any_under_pressure(const std::vector<Row> &rows)
+    {
+      return std::any_of(rows.begin(), rows.end(), [](const Row &row) {
+        return is_finite_element(row.method);
+      });
+    }
   } // namespace
 
   template <int dim>
@@ -56,19 +66,24 @@ namespace springfit
                     "stiffness: block and frobenius in the Frobenius norm, "
                     "spectral in the 2-norm, consistent what it does under "
                     "constant strain first, compliance its displacements "
-                    "under loads. The others are published formulas.");
+                    "under loads. stable neo-hookean is the finite element "
+                    "itself: springs under tension, volumes under pressure. "
+                    "The others are published formulas.");
     add_parameter("Enrichment",
                   enrichments_word_,
                   "What a cell has besides springs between all pairs of its "
                   "vertices: " +
                     join(words_of(enrichment_words())) +
-                    " (no unit). Of a list, each fit takes those that it has, "
+                    " (no unit). Each fit uses those of the list that it has, "
                     "and each is a row of the tables. volume: a spring of the "
-                    "cell's volume, in 2-d of its area; angles: springs of the "
+                    "cell's volume, in 2-d of its area; point volumes: one at "
+                    "each point of the finite element's quadrature, which on "
+                    "triangles and tetrahedra is the volume; angles: springs of the "
                     "angles of its faces; coupling: terms between all its "
                     "lengths, with which it equals the finite element at rest. "
-                    "Of the published formulas baudet and delingette have none "
-                    "and coupling, golec has volume, the others none.");
+                    "stable neo-hookean has volume and point volumes. Of the "
+                    "published formulas baudet and delingette have none and "
+                    "coupling, golec has volume, the others none.");
     add_parameter("Spring law",
                   law_word_,
                   "The energy of springs and couplings away from rest: " +
@@ -77,6 +92,15 @@ namespace springfit
                     "biquadratic: k (l^2 - L^2)^2 / (8 L^2); with coupling it "
                     "makes triangles and tetrahedra St. Venant-Kirchhoff's "
                     "material. At rest both are the same.");
+    add_parameter("Volume law",
+                  volume_law_word_,
+                  "The energy of the volumes under pressure of stable "
+                  "neo-hookean: " +
+                    join(words_of(volume_law_words()), " or ") +
+                    " (no unit). quadratic in the volume, which is the "
+                    "'Material law' stable neo-hookean of section Response "
+                    "and lets cells turn inside out; logarithmic is its law "
+                    "neo-hookean, which does not.");
     add_parameter("Scope",
                   scope_word_,
                   "What a fit finds at once: the springs of a cell, or all "
@@ -127,6 +151,8 @@ namespace springfit
     parse_parameters_call_back.connect([this]() {
       options_.engine = value_of(engine_words(), engine_word_, "Fit/Engine");
       options_.norm   = value_of(norm_words(), norm_word_, "Fit/Norm");
+      options_.volume_law =
+        value_of(volume_law_words(), volume_law_word_, "Fit/Volume law");
       law_    = value_of(spring_law_words(), law_word_, "Fit/Spring law");
       scope_  = value_of(scope_words(), scope_word_, "Fit/Scope");
       states_ = parse_states(states_text_, dim, "Fit/States");
@@ -267,6 +293,24 @@ namespace springfit
 
 
   template <int dim>
+  std::vector<typename FitSection<dim>::Row>
+  FitSection<dim>::rows(const CellKind kind) const
+  {
+    std::vector<Row> distinct;
+    for (Row row : rows())
+      {
+        if (is_simplex(kind) && row.enrichment == Enrichment::point_volumes)
+          row.enrichment = Enrichment::volume;
+        if (std::none_of(distinct.begin(), distinct.end(), [&](const Row &r) {
+              return r.method == row.method && r.enrichment == row.enrichment;
+            }))
+          distinct.push_back(row);
+      }
+    return distinct;
+  }
+
+
+  template <int dim>
   void
   FitSection<dim>::check_cells(const CellKind kind) const
   {
@@ -312,6 +356,9 @@ namespace springfit
   {
     const bool has_consistent = any_consistent(rows());
     std::vector<std::string> sentences;
+    if (options_.volume_law != VolumeLaw::quadratic && !any_under_pressure(rows()))
+      sentences.push_back("Fit/Volume law is not used: it is of the fit "
+                          "'stable neo-hookean'.");
     if (options_.norm == Norm::spectral &&
         (!has_consistent || scope_ == Scope::object || is_simplex(kind)))
       sentences.push_back("Fit/Norm is not used: it is of the fit 'consistent' "

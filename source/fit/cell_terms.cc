@@ -23,6 +23,7 @@ namespace springfit
             return volume_gradient(problem.points, problem.kind);
           case Enrichment::angles:
             return angle_gradients(problem.points, cell_angles(problem.kind));
+          case Enrichment::point_volumes:
           case Enrichment::coupling:
             break;
         }
@@ -81,6 +82,8 @@ namespace springfit
         case Enrichment::volume:
           families.push_back(volume_at_rest(problem.points, problem.kind, 1.));
           break;
+        case Enrichment::point_volumes:
+          throw std::logic_error("points of a cell have no volumes at rest");
         case Enrichment::angles:
           {
             const auto &triples = cell_angles(problem.kind);

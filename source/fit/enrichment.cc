@@ -7,6 +7,8 @@ namespace springfit
   {
     static const WordTable<Enrichment> table = {{Enrichment::none, "none"},
                                                 {Enrichment::volume, "volume"},
+                                                {Enrichment::point_volumes,
+                                                 "point volumes"},
                                                 {Enrichment::angles, "angles"},
                                                 {Enrichment::coupling,
                                                  "coupling"}};

@@ -17,6 +17,7 @@
 #include <springfit/fit/lloyd.h>
 #include <springfit/fit/several_states.h>
 #include <springfit/fit/spectral.h>
+#include <springfit/fit/stable_neo_hookean.h>
 #include <springfit/springs/negative.h>
 
 #include <algorithm>
@@ -141,7 +142,7 @@ namespace springfit
       return {make_cell_model(terms, fit_compliance(object))};
     }
 
-    // The published ones, from the shape and the material.
+    // Those with formulas of their own, from the shape and the material.
 
     CellModel
     springs_alone(const FitProblem &problem, const Eigen::VectorXd &k)
@@ -220,9 +221,18 @@ namespace springfit
           case Method::compliance:
             return compliance(problem, terms, n_nonnegative);
           default:
-            throw std::logic_error("a published fit knows no stiffness");
+            throw std::logic_error("a fit of formulas knows no stiffness");
         }
     }
+
+    Constants
+    stable_neo_hookean(const FitProblem &problem, const FitOptions &options)
+    {
+      return {options.enrichment == Enrichment::point_volumes
+                ? fit_stable_neo_hookean_points(problem, options.volume_law)
+                : fit_stable_neo_hookean_volume(problem, options.volume_law)};
+    }
+
 
     Constants
     from_formulas(const FitProblem &problem,
@@ -231,6 +241,8 @@ namespace springfit
     {
       switch (method)
         {
+          case Method::stable_neo_hookean:
+            return stable_neo_hookean(problem, options);
           case Method::gelder:
             return gelder(problem);
           case Method::lloyd:
@@ -369,7 +381,7 @@ namespace springfit
       throw std::logic_error("a fit is not for these cells or does not have "
                              "this enrichment or states");
 
-    const Constants found = is_published(method)
+    const Constants found = has_formulas(method)
                               ? from_formulas(problem, method, options)
                               : approximate(problem, method, options);
     if (!all_finite(found.model.families))
@@ -387,7 +399,7 @@ namespace springfit
     // All its couplings make a cell its finite element, but for rounding.
     const bool is_exact =
       options.enrichment == Enrichment::coupling && problem.states.empty();
-    if (!is_published(method) && options.nonnegative && !is_exact &&
+    if (!has_formulas(method) && options.nonnegative && !is_exact &&
         !is_definite(*result.smallest_eigenvalue))
       throw RunError(not_definite(*result.smallest_eigenvalue, options),
                      "Improve the mesh there, or choose another material.");

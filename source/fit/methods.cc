@@ -3,6 +3,7 @@
 #include <springfit/fit/lloyd.h>
 #include <springfit/fit/methods.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace springfit
@@ -37,8 +38,7 @@ namespace springfit
       std::vector<CellKind> cells;
       std::vector<Enrichment> enrichments;
 
-      /** It has formulas of its own. */
-      bool is_published;
+      bool has_formulas;
 
       Assumptions (*unmet)(const Eigen::MatrixXd &,
                            CellKind,
@@ -65,6 +65,12 @@ namespace springfit
         {Method::spectral, "spectral", all, every, false, &none_unmet},
         {Method::consistent, "consistent", all, every, false, &none_unmet},
         {Method::compliance, "compliance", all, every, false, &none_unmet},
+        {Method::stable_neo_hookean,
+         "stable neo-hookean",
+         all,
+         {volume, Enrichment::point_volumes},
+         true,
+         &none_unmet},
         {Method::gelder,
          "gelder",
          {triangle, tetrahedron},
@@ -91,6 +97,17 @@ namespace springfit
          &none_unmet},
         {Method::golec, "golec", {tetrahedron}, {volume}, true, &golec_unmet}};
       return table;
+    }
+
+    std::string
+    underscored(std::string words)
+    {
+      std::replace_if(
+        words.begin(),
+        words.end(),
+        [](const char letter) { return letter == ' ' || letter == '-'; },
+        '_');
+      return words;
     }
 
     const Description &
@@ -142,9 +159,38 @@ namespace springfit
 
 
   bool
-  is_published(const Method method)
+  has_formulas(const Method method)
   {
-    return description(method).is_published;
+    return description(method).has_formulas;
+  }
+
+
+  bool
+  is_finite_element(const Method method)
+  {
+    return method == Method::stable_neo_hookean;
+  }
+
+
+  std::string
+  name_of(const Method method)
+  {
+    return underscored(description(method).word);
+  }
+
+
+  std::string
+  name_of(const Enrichment enrichment)
+  {
+    return underscored(word_of(enrichment_words(), enrichment));
+  }
+
+
+  std::string
+  name_of(const std::string &fit, const std::string &enrichment)
+  {
+    return enrichment == name_of(Enrichment::none) ? fit
+                                                   : fit + '_' + enrichment;
   }
 
 

@@ -2,6 +2,7 @@
 #include <springfit/comparison/errors.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/fit/methods.h>
 #include <springfit/output/earlier_results.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
@@ -182,11 +183,9 @@ namespace springfit
       char text[200];
       std::snprintf(text,
                     sizeof(text),
-                    "%-12s %-20s %-10s %8.3g %8.3g",
+                    "%-12s %-32s %-10s %8.3g %8.3g",
                     row.load_case.c_str(),
-                    (row.enrichment == "none" ? row.fit
-                                              : row.fit + '_' + row.enrichment)
-                      .c_str(),
+                    name_of(row.fit, row.enrichment).c_str(),
                     row.kinematics.c_str(),
                     row.errors.e_rms_percent,
                     row.errors.e_max_percent);
@@ -356,7 +355,7 @@ namespace springfit
       "\nSprings against finite elements (" +
       word_of(material_law_words(), scene.statics.material_law()) +
       "; errors in % of the largest displacement):\n"
-      "case         fit                  kinematics    e_rms    e_max   "
+      "case         fit                              kinematics    e_rms    e_max   "
       "E_out Pa   nu_out");
     for (const auto &row : rows)
       if (row.fit != "fem" || row.delivered)

@@ -43,8 +43,8 @@ namespace springfit
     {
       const FitResult result = fit(problem, method, options);
       check_certificate(result, options);
-      return {word_of(method_words(), method),
-              word_of(enrichment_words(), options.enrichment),
+      return {name_of(method),
+              name_of(options.enrichment),
               problem.stiffness - residual(problem, result),
               result.n_negative};
     }
@@ -88,7 +88,7 @@ namespace springfit
           cell_problem<dim>(cell_, kind_, matrices_, material);
 
         rows.push_back(test(in, {"fem", "none", problem.stiffness, 0}));
-        for (const auto &row : scene_.fit.rows())
+        for (const auto &row : scene_.fit.rows(kind_))
           {
             const std::string fit = word_of(method_words(), row.method);
             for (const auto &assumption : unmet_assumptions(
@@ -199,8 +199,7 @@ namespace springfit
           }
 
       char text[200];
-      const std::string name =
-        enrichment == "none" ? fit : fit + '_' + enrichment;
+      const std::string name = name_of(fit, enrichment);
       std::snprintf(text, sizeof(text), "%-20s", name.c_str());
       std::string line = text;
       for (const Range &range : {ratio, nu, homogenised})
@@ -250,10 +249,9 @@ namespace springfit
         "fit                         E_out / E_in                nu_out"
         "        nu_homogenised");
       session.print(summary_line("fem", "none", rows));
-      for (const auto &row : scene.fit.rows())
-        session.print(summary_line(word_of(method_words(), row.method),
-                                   word_of(enrichment_words(), row.enrichment),
-                                   rows));
+      for (const auto &row : scene.fit.rows(mesh.mesh->cell_kind))
+        session.print(
+          summary_line(name_of(row.method), name_of(row.enrichment), rows));
       cell_test.warn(session);
     });
     session.print("\nResults are in " + session.output_directory().string() +

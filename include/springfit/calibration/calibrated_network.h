@@ -43,6 +43,9 @@ namespace springfit
     /** What the unknowns of the fit were. */
     Scope scope;
 
+    /** Whether it is a finite element, as is_finite_element() says. */
+    bool is_finite_element;
+
     double seconds; // wall time of the calibration
   };
 } // namespace springfit

@@ -53,6 +53,13 @@ namespace springfit
     std::vector<Row>
     rows() const;
 
+    /**
+     * The same of a mesh of these cells: on simplices, which have one volume,
+     * point volumes are the volume, and no row occurs twice.
+     */
+    std::vector<Row>
+    rows(CellKind kind) const;
+
     FitOptions
     options(const Row &row) const;
 
@@ -94,6 +101,7 @@ namespace springfit
     std::string engine_word_      = "ipopt";
     std::string fields_word_      = "responses";
     std::string law_word_         = "quadratic";
+    std::string volume_law_word_  = "quadratic";
     std::string scope_word_       = "cell";
     Scope scope_                  = Scope::cell;
     std::string states_text_;

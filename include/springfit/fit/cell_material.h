@@ -13,6 +13,12 @@ namespace springfit
     double youngs_modulus; // Pa
     double poissons_ratio;
     double thickness; // m in 2-d, 1 in 3-d
+
+    /**
+     * Whether a stress across the plane vanishes: what large deformations of
+     * two materials that look alike at rest tell apart.
+     */
+    bool is_in_plane_stress = false;
   };
 
   /**
@@ -35,6 +41,14 @@ namespace springfit
   shear_modulus(const IsotropicMaterial &material)
   {
     return material.youngs_modulus / (2. * (1. + material.poissons_ratio));
+  }
+
+  /** The lambda that isotropic_material() was given, Pa. */
+  inline double
+  first_lame_constant(const int dim, const IsotropicMaterial &material)
+  {
+    const double nu = material.poissons_ratio;
+    return 2. * shear_modulus(material) * nu / (1. - (dim == 2 ? nu : 2. * nu));
   }
 } // namespace springfit
 

@@ -9,9 +9,10 @@ namespace springfit
   enum class Enrichment
   {
     none,
-    volume,  // a spring of its volume, in 2-d of its area
-    angles,  // springs of the angles of its faces
-    coupling // terms between the lengths of two springs
+    volume,        // a spring of its volume, in 2-d of its area
+    point_volumes, // of the volume at each point of the FEM's quadrature
+    angles,        // springs of the angles of its faces
+    coupling       // terms between the lengths of two springs
   };
 
   const WordTable<Enrichment> &

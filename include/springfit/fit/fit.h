@@ -6,6 +6,7 @@
 #include <springfit/fit/enrichment.h>
 #include <springfit/fit/methods.h>
 #include <springfit/fit/problem.h>
+#include <springfit/springs/volume_law.h>
 
 #include <optional>
 
@@ -41,6 +42,9 @@ namespace springfit
      * couplings are free as long as the cell stays positive semidefinite.
      */
     bool nonnegative = false;
+
+    /** Of the volumes of a fit whose volumes are under pressure. */
+    VolumeLaw volume_law = VolumeLaw::quadratic;
 
     /** Of a consistent fit of quadrilaterals and hexahedra. */
     Norm norm = Norm::frobenius;
@@ -95,7 +99,7 @@ namespace springfit
    * @throws RunError when R is zero or not finite, when the engine breaks
    * down without a result, when a volume is zero or an angle straight or
    * folded, when the constants are not finite, or when a fit with
-   * FitOptions::nonnegative that is not published is not positive semidefinite
+   * FitOptions::nonnegative without formulas of its own is not positive semidefinite
    * all the same.
    */
   FitResult

@@ -21,6 +21,7 @@ namespace springfit
     spectral,
     consistent,
     compliance,
+    stable_neo_hookean,
     gelder,
     lloyd,
     baudet,
@@ -44,11 +45,31 @@ namespace springfit
   has_states(Method method, Enrichment enrichment, CellKind kind);
 
   /**
-   * Whether a fit has formulas of its own, to be taken as they are: options do
-   * not change them.
+   * Whether a fit has formulas of its own, to be taken as they are:
+   * FitOptions::nonnegative does not change them.
    */
   bool
-  is_published(Method method);
+  has_formulas(Method method);
+
+  /**
+   * Whether a fit misses nothing of the finite element that it could have: the
+   * cell is as stable as that, negative springs or not.
+   */
+  bool
+  is_finite_element(Method method);
+
+  // What files and tables call a fit and an enrichment: their words joined by
+  // underscores.
+
+  std::string
+  name_of(Method method);
+
+  std::string
+  name_of(Enrichment enrichment);
+
+  /** Of both: the fit, and behind it the enrichment unless that is none. */
+  std::string
+  name_of(const std::string &fit, const std::string &enrichment);
 
   /**
    * The assumptions of a published fit that a cell does not meet, as parts of
