@@ -40,12 +40,25 @@ namespace springfit
               "mesh and the supports."};
     }
 
+    /** What bears cells turned inside out, where the law in force does not. */
+    std::string
+    words_of_inversion(const MaterialLaw law)
+    {
+      if (law == MaterialLaw::stable_neo_hookean)
+        return ", or another 'Material law' in section Response.";
+      return ". The 'Material law' in section Response is " +
+             word_of(material_law_words(), law) +
+             ", which cannot go on where cells turn inside out; " +
+             word_of(material_law_words(), MaterialLaw::stable_neo_hookean) +
+             " does.";
+    }
+
     ModelWords
-    words_of_nonlinear_finite_elements()
+    words_of_nonlinear_finite_elements(const MaterialLaw law)
     {
       return {"the nonlinear finite element model",
-              "Set a smaller 'Deformation' in section Loads, or another "
-              "'Material law' in section Response."};
+              "Set a smaller 'Deformation' in section Loads" +
+                words_of_inversion(law)};
     }
 
     ModelWords
@@ -67,6 +80,17 @@ namespace springfit
     words_of_nonlinear_springs(const std::string &fit,
                                const SpringNetwork &network)
     {
+      if (are_under_tension(network.families))
+        return {"the springs of the fit '" + fit +
+                  "' with nonlinear kinematics",
+                std::string("Set a smaller 'Deformation' in section Loads") +
+                  (bear_inversion(network.families)
+                     ? "."
+                     : ". The 'Volume law' in section Fit is logarithmic, "
+                       "which cannot go on where cells turn inside out; "
+                       "quadratic does, with the 'Material law' stable "
+                       "neo-hookean in section Response.")};
+
       const unsigned int n = n_negative(network.families);
       return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
               "Set a smaller 'Deformation' in section Loads" +
@@ -75,21 +99,29 @@ namespace springfit
                        : ".")};
     }
 
+    /** Why a state of such cells is none to go on from. */
+    template <int dim>
+    std::string
+    objection_to_inversion(const Discretization<dim> &discretization,
+                           const Element<dim> &element,
+                           const Eigen::MatrixXd &displacement)
+    {
+      const auto &mesh     = discretization.mesh();
+      const unsigned int n = n_inverted_cells(mesh, element, displacement);
+      if (n == 0)
+        return {};
+      return std::to_string(n) + " of " +
+             std::to_string(mesh.triangulation.n_active_cells()) +
+             " cells turn inside out";
+    }
+
     /** Why a state is no equilibrium to go on from. */
     template <int dim>
     std::string
-    objection(const Discretization<dim> &discretization,
-              const Element<dim> &element,
-              const ElasticBody &body,
-              const Eigen::MatrixXd &displacement)
+    objection_to_instability(const Discretization<dim> &discretization,
+                             const ElasticBody &body,
+                             const Eigen::MatrixXd &displacement)
     {
-      const auto &mesh = discretization.mesh();
-      if (const unsigned int n = n_inverted_cells(mesh, element, displacement);
-          n > 0)
-        return std::to_string(n) + " of " +
-               std::to_string(mesh.triangulation.n_active_cells()) +
-               " cells turn inside out";
-
       // Counting takes a direct factorisation: too much for the largest ones.
       constexpr unsigned int most_nodes = dim == 2 ? 50000 : 5000;
       if (discretization.n_nodes() <= most_nodes)
@@ -101,25 +133,39 @@ namespace springfit
       return {};
     }
 
+    /** Whether an equilibrium of cells turned inside out is one. */
+    enum class InvertedCells
+    {
+      refused,
+      accepted
+    };
+
     template <int dim>
     std::unique_ptr<Model>
     nonlinear_model(const Discretization<dim> &discretization,
                     const Element<dim> &element,
                     std::unique_ptr<const ElasticBody> body,
+                    const InvertedCells inverted_cells,
                     const SolverFactory<dim> &make_solver,
                     const ModelWords &words,
                     const double tolerance)
     {
       const ElasticBody &judged = *body;
+      const auto judge          = [&discretization,
+                          &element,
+                          &judged,
+                          inverted_cells](const Eigen::MatrixXd &displacement) {
+        std::string objection;
+        if (inverted_cells == InvertedCells::refused)
+          objection =
+            objection_to_inversion(discretization, element, displacement);
+        return objection.empty() ? objection_to_instability(discretization,
+                                                            judged,
+                                                            displacement)
+                                 : objection;
+      };
       return std::make_unique<NonlinearModel<dim>>(
-        discretization,
-        std::move(body),
-        make_solver,
-        words,
-        [&](const Eigen::MatrixXd &displacement) {
-          return objection(discretization, element, judged, displacement);
-        },
-        tolerance);
+        discretization, std::move(body), make_solver, words, judge, tolerance);
     }
   } // namespace
 
@@ -225,8 +271,11 @@ namespace springfit
       element,
       std::make_unique<FiniteElementBody<dim>>(
         discretization.mesh(), element, materials, material_law()),
+      material_law() == MaterialLaw::stable_neo_hookean
+        ? InvertedCells::accepted
+        : InvertedCells::refused,
       solver_factory(discretization, smallest_cg_nonlinear<dim>),
-      words_of_nonlinear_finite_elements(),
+      words_of_nonlinear_finite_elements(material_law()),
       tolerance_);
   }
 
@@ -257,6 +306,9 @@ namespace springfit
       return nonlinear_model<dim>(discretization,
                                   element,
                                   std::make_unique<NetworkBody>(network),
+                                  bear_inversion(network.families)
+                                    ? InvertedCells::accepted
+                                    : InvertedCells::refused,
                                   solver_factory(discretization,
                                                  smallest_cg_nonlinear<dim>),
                                   words_of_nonlinear_springs(name, network),

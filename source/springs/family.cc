@@ -44,6 +44,12 @@ namespace springfit
     return false;
   }
 
+  bool
+  SpringKind::bears_inversion() const
+  {
+    return false;
+  }
+
   void
   SpringKind::canonicalise(std::vector<unsigned int> &,
                            std::vector<std::vector<double>> &,

@@ -10,7 +10,8 @@ namespace springfit
     /** q = l - L */
     struct Quadratic
     {
-      static constexpr bool is_hookean = true;
+      static constexpr bool is_hookean    = true;
+      static constexpr bool has_no_length = false;
 
       static double
       energy(const double k, const double L, const double s)
@@ -41,7 +42,8 @@ namespace springfit
     /** q = (l^2 - L^2) / (2 L) */
     struct Biquadratic
     {
-      static constexpr bool is_hookean = false;
+      static constexpr bool is_hookean    = false;
+      static constexpr bool has_no_length = false;
 
       static double
       energy(const double k, const double L, const double s)

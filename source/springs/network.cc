@@ -233,6 +233,27 @@ namespace springfit
   }
 
   bool
+  bear_inversion(const Families &families)
+  {
+    return std::all_of(families.begin(),
+                       families.end(),
+                       [](const Family &family) {
+                         return family.kind->bears_inversion();
+                       });
+  }
+
+  bool
+  are_under_tension(const Families &families)
+  {
+    return std::any_of(families.begin(),
+                       families.end(),
+                       [](const Family &family) {
+                         return is_spring(family) &&
+                                family.kind->bears_inversion();
+                       });
+  }
+
+  bool
   has_springs_alone(const Families &families)
   {
     return std::all_of(families.begin(), families.end(), is_spring);

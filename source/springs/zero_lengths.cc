@@ -7,7 +7,8 @@ namespace springfit
   {
     struct ZeroLength
     {
-      static constexpr bool is_hookean = true;
+      static constexpr bool is_hookean    = true;
+      static constexpr bool has_no_length = true;
 
       static double
       energy(const double k, double, const double s)

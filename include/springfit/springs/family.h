@@ -99,6 +99,13 @@ namespace springfit
     rest_values_average() const;
 
     /**
+     * Whether the energy is one for cells turned inside out, too: finite, and
+     * such that they come back. Springs at rest stay where they are then.
+     */
+    virtual bool
+    bears_inversion() const;
+
+    /**
      * Give a member the order of nodes that equal members have in common, or
      * in which its coordinate is positive.
      *

@@ -80,6 +80,14 @@ namespace springfit
   Eigen::VectorXd
   spring_stiffness(const Families &families);
 
+  /** Whether all of them bear cells turned inside out, see SpringKind. */
+  bool
+  bear_inversion(const Families &families);
+
+  /** Whether springs pull at rest, so that volumes must push. */
+  bool
+  are_under_tension(const Families &families);
+
   /** Whether there are springs between two nodes and nothing else. */
   bool
   has_springs_alone(const Families &families);

@@ -24,9 +24,10 @@ namespace springfit
    *     static double curvature(double k, double L, double s); // c
    *     static bool is_smooth(double L, double s);
    *
-   * and says whether it is Hooke's, U = k (l - L)^2 / 2:
+   * and says whether it is Hooke's, U = k (l - L)^2 / 2, and whether L is 0:
    *
    *     static constexpr bool is_hookean;
+   *     static constexpr bool has_no_length;
    */
   template <int dim_, typename Law>
   class PairKernel
@@ -138,6 +139,12 @@ namespace springfit
     rest_values_average() const override
     {
       return Law::is_hookean;
+    }
+
+    bool
+    bears_inversion() const override
+    {
+      return Law::has_no_length;
     }
 
     void

@@ -215,6 +215,12 @@ namespace springfit
       return false;
     }
 
+    bool
+    bears_inversion() const override
+    {
+      return Law::is_smooth_everywhere;
+    }
+
     /** Mirror a cell that is numbered inside out. */
     void
     canonicalise(std::vector<unsigned int> &nodes,
