@@ -1,7 +1,10 @@
+#include <springfit/springs/cell_topology.h>
 #include <springfit/springs/couplings.h>
 #include <springfit/springs/elongation.h>
 #include <springfit/springs/kernel_kind.h>
 
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -99,6 +102,33 @@ namespace springfit
     };
 
 
+    /** The elongation q of a pair of nodes, and grad q = (-g, g). */
+    template <int dim, SpringLaw law>
+    struct DirectedElongation
+    {
+      DirectedElongation(const double L, const Vector<dim> &d)
+      {
+        const double s = d.squaredNorm();
+        if (law == SpringLaw::biquadratic)
+          {
+            q = (s - L * L) / (2. * L);
+            g = d / L;
+          }
+        else
+          {
+            const double l = std::sqrt(s);
+            is_smooth      = s > 1e-24 * L * L;
+            q              = l - L;
+            g              = d / l;
+          }
+      }
+
+      bool is_smooth = true;
+      double q;
+      Vector<dim> g;
+    };
+
+
     template <int dim, SpringLaw law>
     class CouplingKind : public KernelKind<CouplingKernel<dim, law>>
     {
@@ -132,6 +162,47 @@ namespace springfit
             std::swap(nodes[0], nodes[2]);
             std::swap(nodes[1], nodes[3]);
             std::swap(numbers[1], numbers[2]);
+          }
+      }
+
+      /** Members are sorted: the first pair is the same in many of them. */
+      void
+      add_forces(const Members &members,
+                 const Eigen::MatrixXd &x,
+                 Eigen::MatrixXd &forces) const override
+      {
+        using Pair                = DirectedElongation<dim, law>;
+        const auto &columns       = members.columns;
+        const unsigned int *nodes = members.nodes.data();
+        const std::size_t size    = members.nodes.size() / 4;
+        const auto distance       = [&x](const NodePair &pair) -> Vector<dim> {
+          return Eigen::Map<const Vector<dim>>(x.data() + dim * pair[1]) -
+                 Eigen::Map<const Vector<dim>>(x.data() + dim * pair[0]);
+        };
+        const auto add = [&](const NodePair &pair, const Vector<dim> &f) {
+          Eigen::Map<Vector<dim>>(forces.data() + dim * pair[0]) += f;
+          Eigen::Map<Vector<dim>>(forces.data() + dim * pair[1]) -= f;
+        };
+
+        for (std::size_t m = 0; m < size;)
+          {
+            const NodePair of_a = {{nodes[4 * m], nodes[4 * m + 1]}};
+            const double L_a    = columns[1][m];
+            const Pair a(L_a, distance(of_a));
+            double tension_a = 0.;
+            for (; m < size && nodes[4 * m] == of_a[0] &&
+                   nodes[4 * m + 1] == of_a[1] && columns[1][m] == L_a;
+                 ++m)
+              {
+                const NodePair of_b = {{nodes[4 * m + 2], nodes[4 * m + 3]}};
+                const Pair b(columns[2][m], distance(of_b));
+                if (!a.is_smooth || !b.is_smooth)
+                  continue;
+                tension_a += columns[0][m] * b.q;
+                add(of_b, columns[0][m] * a.q * b.g);
+              }
+            if (a.is_smooth)
+              add(of_a, tension_a * a.g);
           }
       }
     };
