@@ -477,7 +477,9 @@ TEST(Calibration, OverStatesSuitsThem)
     u.col(v) << 0.3 * mesh->triangulation.get_vertices()[v][0], 0., 0.;
 
   for (const MaterialLaw law :
-       {MaterialLaw::st_venant_kirchhoff, MaterialLaw::neo_hookean})
+       {MaterialLaw::st_venant_kirchhoff,
+        MaterialLaw::neo_hookean,
+        MaterialLaw::stable_neo_hookean})
     {
       const Eigen::MatrixXd R =
         deformed_stiffness(*mesh, two_materials(), law, u);
