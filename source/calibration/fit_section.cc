@@ -79,21 +79,22 @@ namespace springfit
                     "under loads. stable neo-hookean is the finite element "
                     "itself: springs under tension, volumes under pressure. "
                     "The others are published formulas.");
-    add_parameter("Enrichment",
-                  enrichments_word_,
-                  "What a cell has besides springs between all pairs of its "
-                  "vertices: " +
-                    join(words_of(enrichment_words())) +
-                    " (no unit). Each fit uses those of the list that it has, "
-                    "and each is a row of the tables. volume: a spring of the "
-                    "cell's volume, in 2-d of its area; point volumes: one at "
-                    "each point of the finite element's quadrature, which on "
-                    "triangles and tetrahedra is the volume; angles: springs of the "
-                    "angles of its faces; coupling: terms between all its "
-                    "lengths, with which it equals the finite element at rest. "
-                    "stable neo-hookean has volume and point volumes. Of the "
-                    "published formulas baudet and delingette have none and "
-                    "coupling, golec has volume, the others none.");
+    add_parameter(
+      "Enrichment",
+      enrichments_word_,
+      "What a cell has besides springs between all pairs of its "
+      "vertices: " +
+        join(words_of(enrichment_words())) +
+        " (no unit). Each fit uses those of the list that it has, "
+        "and each is a row of the tables. volume: a spring of the "
+        "cell's volume, in 2-d of its area; point volumes: one at "
+        "each point of the finite element's quadrature, which on "
+        "triangles and tetrahedra is the volume; angles: springs of the "
+        "angles of its faces; coupling: terms between all its "
+        "lengths, with which it equals the finite element at rest. "
+        "stable neo-hookean has volume and point volumes. Of the "
+        "published formulas baudet and delingette have none and "
+        "coupling, golec has volume, the others none.");
     add_parameter("Spring law",
                   law_word_,
                   "The energy of springs and couplings away from rest: " +
@@ -362,7 +363,8 @@ namespace springfit
   {
     const bool has_consistent = any_consistent(rows());
     std::vector<std::string> sentences;
-    if (options_.volume_law != VolumeLaw::quadratic && !any_under_pressure(rows()))
+    if (options_.volume_law != VolumeLaw::quadratic &&
+        !any_under_pressure(rows()))
       sentences.push_back("Fit/Volume law is not used: it is of the fit "
                           "'stable neo-hookean'.");
     if (options_.norm == Norm::spectral &&

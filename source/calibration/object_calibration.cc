@@ -83,8 +83,8 @@ namespace springfit
     run_collectively(session.communicator(), [&]() {
       auto problem =
         make_object_problem(unit_network,
-                                 object_stiffness(mesh, element, materials),
-                                 options.nonnegative);
+                            object_stiffness(mesh, element, materials),
+                            options.nonnegative);
       const auto all_fields = displacement_fields(fields, problem, responses);
       found                 = fit_object(problem, method, all_fields, prior);
       if (found.n_unstable > 0 && options.nonnegative &&

@@ -129,9 +129,10 @@ namespace springfit
                       const Eigen::SparseMatrix<double> &stiffness,
                       const bool nonnegative)
   {
-    const Families unit = with_constants(
-      network.families,
-      Eigen::VectorXd::Ones(constants_of(network.families).size()));
+    const Families unit =
+      with_constants(network.families,
+                     Eigen::VectorXd::Ones(
+                       constants_of(network.families).size()));
     if (!std::isfinite(energy(unit, network.nodes)))
       throw RunError("A term of the springs has no tangent at rest.",
                      "Improve the mesh: a cell may be flat.");

@@ -25,10 +25,9 @@ namespace springfit
     member_with_nodes(const Family &family, const unsigned int *nodes)
     {
       std::size_t m = 0;
-      while (m < family.size() &&
-             !std::equal(nodes,
-                         nodes + family.kind->n_nodes(),
-                         family.nodes(m)))
+      while (
+        m < family.size() &&
+        !std::equal(nodes, nodes + family.kind->n_nodes(), family.nodes(m)))
         ++m;
       return m;
     }

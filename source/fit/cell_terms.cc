@@ -55,9 +55,9 @@ namespace springfit
     const Eigen::MatrixXd others   = gradients_of(problem, enrichment);
 
     CellTerms terms;
-    terms.unit       = unit_families(problem, enrichment);
-    terms.n_springs  = springs.cols();
-    terms.norms      = Eigen::VectorXd::Ones(springs.cols() + others.cols());
+    terms.unit      = unit_families(problem, enrichment);
+    terms.n_springs = springs.cols();
+    terms.norms     = Eigen::VectorXd::Ones(springs.cols() + others.cols());
     terms.norms.tail(others.cols()) = others.colwise().norm();
     terms.gradients.resize(springs.rows(), terms.norms.size());
     terms.gradients << springs, others.colwise().normalized();
@@ -84,23 +84,19 @@ namespace springfit
           break;
         case Enrichment::point_volumes:
           throw std::logic_error("points of a cell have no volumes at rest");
-        case Enrichment::angles:
-          {
+          case Enrichment::angles: {
             const auto &triples = cell_angles(problem.kind);
             families.push_back(
               angles_at_rest(problem.points, triples, ones(triples.size())));
             break;
           }
-        case Enrichment::coupling:
-          {
+          case Enrichment::coupling: {
             std::vector<LengthCoupling> couplings;
             for (unsigned int a = 0; a < problem.springs.size(); ++a)
               for (unsigned int b = a + 1; b < problem.springs.size(); ++b)
                 couplings.push_back({a, b, 1.});
-            families.push_back(couplings_at_rest(problem.points,
-                                                 problem.springs,
-                                                 couplings,
-                                                 problem.law));
+            families.push_back(couplings_at_rest(
+              problem.points, problem.springs, couplings, problem.law));
             break;
           }
       }

@@ -38,10 +38,8 @@ namespace springfit
     CellModel model{
       {lengths_at_rest(problem.points, problem.springs, k, problem.law)}};
     if (!couplings.empty())
-      model.families.push_back(couplings_at_rest(problem.points,
-                                                 problem.springs,
-                                                 couplings,
-                                                 problem.law));
+      model.families.push_back(couplings_at_rest(
+        problem.points, problem.springs, couplings, problem.law));
     return model;
   }
 } // namespace springfit

@@ -1,7 +1,7 @@
 #include <springfit/core/error.h>
+#include <springfit/fit/coupled_cell.h>
 #include <springfit/fit/nonnegative_least_squares.h>
 #include <springfit/fit/several_states.h>
-#include <springfit/fit/coupled_cell.h>
 #include <springfit/springs/network.h>
 
 #include <cmath>
@@ -110,8 +110,7 @@ namespace springfit
     std::vector<LengthCoupling> couplings;
     std::vector<CellModel> models;
     for (unsigned int s = 0; s < n; ++s)
-      models.push_back(
-        coupled_model(problem, Eigen::VectorXd::Unit(n, s), {}));
+      models.push_back(coupled_model(problem, Eigen::VectorXd::Unit(n, s), {}));
     for (unsigned int a = 0; a < n; ++a)
       for (unsigned int b = a + 1; b < n; ++b)
         {

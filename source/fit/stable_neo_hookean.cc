@@ -61,7 +61,7 @@ namespace springfit
       const double lambda =
         material.thickness *
         first_lame_constant(problem.points.rows(), material);
-      const double alpha   = 1. + mu / (lambda + mu);
+      const double alpha = 1. + mu / (lambda + mu);
       std::vector<double> k, rest_volume;
       for (const double V : rest)
         {

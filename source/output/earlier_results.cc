@@ -1,5 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/output/earlier_results.h>
+#include <springfit/response/load_case.h>
 #include <springfit/springs/spring_kinds.h>
 
 #include <regex>
@@ -23,6 +24,16 @@ namespace springfit
         all += (all.empty() ? "" : "|") + word;
       return all;
     }
+
+    /** "tension|compression|...", for a regular expression. */
+    std::string
+    words_of_loads()
+    {
+      std::string all;
+      for (const auto &[load, word] : load_words())
+        all += (all.empty() ? "" : "|") + word;
+      return all;
+    }
   } // namespace
 
   void
@@ -31,8 +42,8 @@ namespace springfit
     if (!std::filesystem::exists(folder / "used.prm"))
       return;
     const std::regex results("(comparison|fit|nodes|cells|sweep|(" +
-                             words_of_kinds() +
-                             ")_.*|.*_fem)\\.csv|.*\\.vtu|.*\\.pvd");
+                             words_of_kinds() + ")_.*|(" + words_of_loads() +
+                             ")_.*)\\.csv|.*\\.vtu|.*\\.pvd");
     std::vector<std::filesystem::path> files;
     for (const auto &entry : std::filesystem::directory_iterator(folder))
       if (entry.is_regular_file() &&

@@ -14,7 +14,7 @@ namespace springfit
     SparseMatrix
     free_part(const SparseMatrix &matrix, const std::vector<bool> &fixed)
     {
-      const Eigen::Index dim = matrix.rows() / fixed.size();
+      const Eigen::Index dim  = matrix.rows() / fixed.size();
       Eigen::Index n_unknowns = 0;
       std::vector<Eigen::Index> unknown(matrix.rows(), -1);
       for (Eigen::Index row = 0; row < matrix.rows(); ++row)

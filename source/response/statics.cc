@@ -151,10 +151,8 @@ namespace springfit
                     const double tolerance)
     {
       const ElasticBody &judged = *body;
-      const auto judge          = [&discretization,
-                          &element,
-                          &judged,
-                          inverted_cells](const Eigen::MatrixXd &displacement) {
+      const auto judge = [&discretization, &element, &judged, inverted_cells](
+                           const Eigen::MatrixXd &displacement) {
         std::string objection;
         if (inverted_cells == InvertedCells::refused)
           objection =

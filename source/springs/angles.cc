@@ -47,10 +47,9 @@ namespace springfit
       Places
       product(const std::size_t m, const Places &x, const Places &u) const
       {
-        const Vector<3 *dim> g = angle_gradient<dim>(u_of(x), v_of(x));
-        const Vector<3 *dim> w = u.reshaped();
-        const Vector<3 *dim> curved =
-          angle_hessian<dim>(u_of(x), v_of(x)) * w;
+        const Vector<3 *dim> g      = angle_gradient<dim>(u_of(x), v_of(x));
+        const Vector<3 *dim> w      = u.reshaped();
+        const Vector<3 *dim> curved = angle_hessian<dim>(u_of(x), v_of(x)) * w;
         return stiffness_[m] *
                as_places(g.dot(w) * g + elongation(m, x) * curved);
       }

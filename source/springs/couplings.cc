@@ -46,8 +46,8 @@ namespace springfit
       gradient(const std::size_t m, const Places &x) const
       {
         const Elongation<dim> q_a = a(m, x), q_b = b(m, x);
-        return stiffness_[m] * both(q_b.value() * q_a.gradient(),
-                                    q_a.value() * q_b.gradient());
+        return stiffness_[m] *
+               both(q_b.value() * q_a.gradient(), q_a.value() * q_b.gradient());
       }
 
       Places

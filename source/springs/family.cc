@@ -92,7 +92,7 @@ namespace springfit
     for (std::size_t c = 0; c < members.columns.size(); ++c)
       {
         const unsigned int width = kind->columns()[c].width;
-        const auto first = members.columns[c].begin() + width * member;
+        const auto first         = members.columns[c].begin() + width * member;
         numbers.emplace_back(first, first + width);
       }
     return numbers;

@@ -195,7 +195,9 @@ namespace springfit
     const double *next = constants.data();
     for (auto &family : families)
       {
-        std::copy_n(next, family.size(), family.members.columns.front().begin());
+        std::copy_n(next,
+                    family.size(),
+                    family.members.columns.front().begin());
         next += family.size();
       }
     return families;
@@ -276,7 +278,7 @@ namespace springfit
     if (found == families_.end())
       found = families_.insert(families_.end(), Family(*family.kind));
 
-    const auto &columns = family.kind->columns();
+    const auto &columns  = family.kind->columns();
     const unsigned int n = family.kind->n_nodes();
     for (std::size_t m = 0; m < family.size(); ++m)
       {

@@ -57,7 +57,8 @@ namespace springfit
         std::array<Vector, 2> along, across;
       };
 
-      explicit QuadrilateralPoints(const Edges &x) : x_(x) {}
+      explicit QuadrilateralPoints(const Edges &x) : x_(x)
+      {}
 
       Values
       values() const
@@ -107,7 +108,7 @@ namespace springfit
         {
           for (int g = 0; g < 2; ++g)
             {
-              along[g]  = along[g] + turned(x.across[0]) * s[2 * g] +
+              along[g] = along[g] + turned(x.across[0]) * s[2 * g] +
                          turned(x.across[1]) * s[2 * g + 1];
               across[g] = across[g] - turned(x.along[0]) * s[g] -
                           turned(x.along[1]) * s[2 + g];
@@ -170,7 +171,8 @@ namespace springfit
         std::array<std::array<Vector, 4>, 3> along;
       };
 
-      explicit HexahedronPoints(const Edges &x) : x_(x) {}
+      explicit HexahedronPoints(const Edges &x) : x_(x)
+      {}
 
       Values
       values() const
@@ -187,8 +189,9 @@ namespace springfit
         Values V;
         for (int g = 0; g < 8; ++g)
           {
-            const Vector &a = at<0>(x_, g), &b = at<1>(x_, g), &c = at<2>(x_, g);
-            V[g] = weight * (dot(at<0>(u, g), cross(b, c)) +
+            const Vector &a = at<0>(x_, g), &b = at<1>(x_, g),
+                         &c = at<2>(x_, g);
+            V[g]            = weight * (dot(at<0>(u, g), cross(b, c)) +
                              dot(at<1>(u, g), cross(c, a)) +
                              dot(at<2>(u, g), cross(a, b)));
           }
@@ -216,7 +219,8 @@ namespace springfit
           {
             // The change of s b x c, with w b x c, is
             // (s e + w b) x c + b x s f; and so on around.
-            const Vector &a = at<0>(x_, g), &b = at<1>(x_, g), &c = at<2>(x_, g);
+            const Vector &a = at<0>(x_, g), &b = at<1>(x_, g),
+                         &c = at<2>(x_, g);
             const Vector d = at<0>(u, g) * s[g], e = at<1>(u, g) * s[g],
                          f = at<2>(u, g) * s[g];
             const Vector p = d + a * w[g], q = e + b * w[g], r = f + c * w[g];
@@ -269,7 +273,10 @@ namespace springfit
       struct Sums
       {
         void
-        add(const int g, const Vector &of_0, const Vector &of_1, const Vector &of_2)
+        add(const int g,
+            const Vector &of_0,
+            const Vector &of_1,
+            const Vector &of_2)
         {
           along[0][across<0>(g)] = along[0][across<0>(g)] + of_0;
           along[1][across<1>(g)] = along[1][across<1>(g)] + of_1;
@@ -285,10 +292,10 @@ namespace springfit
               interpolate_across(along[d]);
               for (int k = 0; k < 4; ++k)
                 {
-                  const Vector f  = along[d][k] * (T() + weight);
-                  const int from  = lower[d][k], to = from + (1 << d);
-                  g[to]           = g[to] + f;
-                  g[from]         = g[from] - f;
+                  const Vector f = along[d][k] * (T() + weight);
+                  const int from = lower[d][k], to = from + (1 << d);
+                  g[to]   = g[to] + f;
+                  g[from] = g[from] - f;
                 }
             }
           return g;

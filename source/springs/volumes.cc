@@ -44,12 +44,14 @@ namespace springfit
 
       struct Edges
       {
-        explicit Edges(const Places &x) : a(x[1] - x[0]), b(x[2] - x[0]) {}
+        explicit Edges(const Places &x) : a(x[1] - x[0]), b(x[2] - x[0])
+        {}
 
         Vector a, b;
       };
 
-      explicit Triangle(const Edges &x) : x_(x) {}
+      explicit Triangle(const Edges &x) : x_(x)
+      {}
 
       Values
       values() const
@@ -99,12 +101,14 @@ namespace springfit
 
       struct Edges
       {
-        explicit Edges(const Places &x) : a(x[3] - x[0]), b(x[2] - x[1]) {}
+        explicit Edges(const Places &x) : a(x[3] - x[0]), b(x[2] - x[1])
+        {}
 
         Vector a, b;
       };
 
-      explicit Quadrilateral(const Edges &x) : x_(x) {}
+      explicit Quadrilateral(const Edges &x) : x_(x)
+      {}
 
       Values
       values() const
@@ -162,7 +166,10 @@ namespace springfit
       };
 
       explicit Tetrahedron(const Edges &x)
-        : x_(x), bc_(cross(x.b, x.c)), ca_(cross(x.c, x.a)), ab_(cross(x.a, x.b))
+        : x_(x)
+        , bc_(cross(x.b, x.c))
+        , ca_(cross(x.c, x.a))
+        , ab_(cross(x.a, x.b))
       {}
 
       Values
@@ -238,7 +245,8 @@ namespace springfit
         Vector A, B, C, D, E, F, AB, CE, FD;
       };
 
-      explicit Hexahedron(const Edges &x) : x_(x), gradients_(gradients(x)) {}
+      explicit Hexahedron(const Edges &x) : x_(x), gradients_(gradients(x))
+      {}
 
       Values
       values() const
@@ -265,8 +273,9 @@ namespace springfit
       Places
       product(const Values &w, const Values &s, const Edges &u) const
       {
-        Places sum           = on_vertices(gradients_, w[0] * (1. / 12.));
-        const Places changes = on_vertices(gradient_changes(u), s[0] * (1. / 12.));
+        Places sum = on_vertices(gradients_, w[0] * (1. / 12.));
+        const Places changes =
+          on_vertices(gradient_changes(u), s[0] * (1. / 12.));
         for (int a = 0; a < 8; ++a)
           sum[a] = sum[a] + changes[a];
         return sum;

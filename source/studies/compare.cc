@@ -166,10 +166,10 @@ namespace springfit
               const auto &network = calibrated.networks[response.network];
               rows.push_back(
                 row(result, response.equilibrium, response.kinematics));
-              rows.back().fit               = network.fit;
-              rows.back().enrichment        = network.enrichment;
-              rows.back().n_springs         = n_springs(network.network.families);
-              rows.back().n_negative        = n_negative(network.network.families);
+              rows.back().fit        = network.fit;
+              rows.back().enrichment = network.enrichment;
+              rows.back().n_springs  = n_springs(network.network.families);
+              rows.back().n_negative = n_negative(network.network.families);
               rows.back().calibrate_seconds = network.seconds;
               rows.back().lem_seconds       = response.equilibrium.seconds;
             }
@@ -274,20 +274,32 @@ namespace springfit
                                spring_fields[n]);
     }
 
-    /** <case>_fem.csv, where the finite elements bear the whole load. */
+    /** <case>_fem.csv and <case>_<fit>.csv, where the whole load is borne. */
+    template <int dim>
     void
     write_responses(const std::filesystem::path &folder,
+                    const CalibratedScene<dim> &calibrated,
                     const Loading &loading,
                     const std::vector<CaseResult> &results)
     {
       for (const auto &result : results)
-        if (is_complete(result.reference))
-          write_response(folder /
-                           (word_of(load_words(), result.load_case.load) +
-                            "_fem.csv"),
-                         loading.fixed,
-                         result.load_case.forces,
-                         result.reference.displacement);
+        {
+          const auto write = [&](const std::string &name,
+                                 const Equilibrium &equilibrium) {
+            if (is_complete(equilibrium))
+              write_response(folder /
+                               (word_of(load_words(), result.load_case.load) +
+                                '_' + name + ".csv"),
+                             loading.fixed,
+                             result.load_case.forces,
+                             equilibrium.displacement);
+          };
+          write("fem", result.reference);
+          for (const auto &response : result.networks)
+            write(calibrated.networks[response.network].name +
+                    suffix(response.kinematics),
+                  response.equilibrium);
+        }
     }
 
     /** One column per load case, m. */
@@ -366,7 +378,10 @@ namespace springfit
       run_on_root(session.communicator(), [&]() {
         write_comparison(session.output_directory(), rows);
         write_pictures(session.output_directory(), calibrated, results);
-        write_responses(session.output_directory(), loading, results);
+        write_responses(session.output_directory(),
+                        calibrated,
+                        loading,
+                        results);
       });
     }
     check_completeness(results, session.output_directory());

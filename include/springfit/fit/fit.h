@@ -99,8 +99,8 @@ namespace springfit
    * @throws RunError when R is zero or not finite, when the engine breaks
    * down without a result, when a volume is zero or an angle straight or
    * folded, when the constants are not finite, or when a fit with
-   * FitOptions::nonnegative without formulas of its own is not positive semidefinite
-   * all the same.
+   * FitOptions::nonnegative without formulas of its own is not positive
+   * semidefinite all the same.
    */
   FitResult
   fit(const FitProblem &problem, Method method, const FitOptions &options);

@@ -8,10 +8,11 @@
 namespace springfit
 {
   // The finite element itself, as springs that pull and volumes that push: B.
-  // Smith, F. de Goes and T. Kim, Stable neo-Hookean flesh simulation, ACM TOG 37
-  // (2018), without its last term,
+  // Smith, F. de Goes and T. Kim, Stable neo-Hookean flesh simulation, ACM TOG
+  // 37 (2018), without its last term,
   //
-  //     psi = mu / 2 (tr F^T F - dim) - mu (J - 1) + (lambda + mu) / 2 (J - 1)^2
+  //     psi = mu / 2 (tr F^T F - dim) - mu (J - 1) + (lambda + mu) / 2 (J -
+  //     1)^2
   //         = mu / 2 tr F^T F + (lambda + mu) / 2 (J - alpha)^2 + const,
   //     alpha = 1 + mu / (lambda + mu).
   //
@@ -21,8 +22,8 @@ namespace springfit
   // volumes V_g = dV_g J of stiffness (lambda + mu) / dV_g and rest value
   // alpha dV_g. With the logarithmic law the volumes have the energy dV_g (- mu
   // ln J + lambda / 2 (ln J)^2), and the whole is the compressible neo-Hookean
-  // material of Simo and Pister (1984). In 2-d lambda is that of plane strain or
-  // plane stress, and all constants are times the thickness.
+  // material of Simo and Pister (1984). In 2-d lambda is that of plane strain
+  // or plane stress, and all constants are times the thickness.
   //
   // At rest the springs' tension and the volumes' pressure are in equilibrium,
   // and the tangent is that of linear elasticity with lambda and mu, for every

@@ -164,7 +164,9 @@ namespace springfit
     }
 
     static void
-    scatter(const unsigned int *nodes, const Places &of_member, Eigen::MatrixXd &f)
+    scatter(const unsigned int *nodes,
+            const Places &of_member,
+            Eigen::MatrixXd &f)
     {
       for (int a = 0; a < n; ++a)
         for (int d = 0; d < dim; ++d)
@@ -178,7 +180,7 @@ namespace springfit
       Hessian H;
       for (int column = 0; column < dim * n; ++column)
         {
-          Places u                     = Places::Zero();
+          Places u                      = Places::Zero();
           u(column % dim, column / dim) = 1.;
           const Places of_column        = kernel.product(m, x, u);
           H.col(column)                 = of_column.reshaped();

@@ -84,7 +84,9 @@ namespace springfit
 
     /** The change of force() with that of the distance. */
     Vector
-    change(const std::size_t m, const Vector &d, const Vector &change_of_d) const
+    change(const std::size_t m,
+           const Vector &d,
+           const Vector &change_of_d) const
     {
       const double s = d.squaredNorm();
       const double f = Law::force(stiffness_[m], rest_length_[m], s);
@@ -166,8 +168,8 @@ namespace springfit
         members,
         x,
         [&](const std::size_t m, unsigned int, unsigned int, const Vector &d) {
-          return kernel.is_smooth_at(m, d) ? kernel.force(m, d) :
-                                             Vector(Vector::Zero());
+          return kernel.is_smooth_at(m, d) ? kernel.force(m, d)
+                                           : Vector(Vector::Zero());
         },
         forces);
     }
@@ -222,8 +224,7 @@ namespace springfit
               sum += f;
               Eigen::Map<Vector>(result.data() + dim * j) -= f;
               ++m;
-            }
-          while (m < size && nodes[2 * m] == i);
+          } while (m < size && nodes[2 * m] == i);
           Eigen::Map<Vector>(result.data() + dim * i) += sum;
         }
     }

@@ -25,9 +25,8 @@ namespace springfit
    *     static constexpr int dim, n_nodes, n_volumes;
    *     using Places = NodeVectors<dim, n_nodes, T>;
    *     using Values = std::array<T, n_volumes>;
-   *     struct Edges { explicit Edges(const Places &); }; // differences of them
-   *     explicit Coordinates(const Edges &x);
-   *     Values values() const;                        // V_g
+   *     struct Edges { explicit Edges(const Places &); }; // differences of
+   * them explicit Coordinates(const Edges &x); Values values() const; // V_g
    *     Values change(const Edges &u) const;          // grad V_g . u
    *     Places gradient(const Values &s) const;       // sum_g s_g grad V_g
    *     Places product(const Values &w, const Values &s, const Edges &u) const;
@@ -43,7 +42,8 @@ namespace springfit
     using Values                   = typename Volumes::Values;
     using Edges                    = typename Volumes::Edges;
 
-    explicit VolumeKernel(const Members &members) : law_(members) {}
+    explicit VolumeKernel(const Members &members) : law_(members)
+    {}
 
     // Of the members in the lanes, of which @p m is the first.
 
@@ -72,9 +72,7 @@ namespace springfit
       Values s;
       for (int g = 0; g < n_volumes; ++g)
         for (std::size_t l = 0; l < sizeof(T) / sizeof(double); ++l)
-          set_lane(s[g],
-                   l,
-                   law_.slope(n_volumes * (m + l) + g, lane(V[g], l)));
+          set_lane(s[g], l, law_.slope(n_volumes * (m + l) + g, lane(V[g], l)));
       return s;
     }
 
@@ -251,18 +249,17 @@ namespace springfit
       if constexpr (!Law::is_smooth_everywhere)
         Base::add_forces(members, x, forces);
       else
-        in_lanes(
-          members,
-          [&](const auto &kernel,
-              const std::size_t m,
-              const unsigned int *nodes,
-              const auto &lanes) {
-            const auto places = lanes.gather(nodes, x);
-            auto gradient     = kernel.gradient(m, places);
-            for (auto &of_node : gradient)
-              of_node = -of_node;
-            lanes.scatter(nodes, gradient, forces);
-          });
+        in_lanes(members,
+                 [&](const auto &kernel,
+                     const std::size_t m,
+                     const unsigned int *nodes,
+                     const auto &lanes) {
+                   const auto places = lanes.gather(nodes, x);
+                   auto gradient     = kernel.gradient(m, places);
+                   for (auto &of_node : gradient)
+                     of_node = -of_node;
+                   lanes.scatter(nodes, gradient, forces);
+                 });
     }
 
     void

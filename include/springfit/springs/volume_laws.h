@@ -34,8 +34,7 @@ namespace springfit
     }
 
     explicit QuadraticVolumeLaw(const Members &members)
-      : k(members.columns[0].data())
-      , rest_volume(members.columns[1].data())
+      : k(members.columns[0].data()), rest_volume(members.columns[1].data())
     {}
 
     bool
@@ -149,7 +148,8 @@ namespace springfit
       return "logarithmic_plane_stress_";
     }
 
-    explicit PlaneStressVolumeLaw(const Members &members) : data(members) {}
+    explicit PlaneStressVolumeLaw(const Members &members) : data(members)
+    {}
 
     bool
     is_smooth(const std::size_t i, const double V) const
