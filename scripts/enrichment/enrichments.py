@@ -16,7 +16,7 @@ import large_deformation
 import page
 import paper_objects
 from runs import comparison_rows, read_csv, run_all
-from scenes import (ENRICHMENTS, FITS, JITTER, OBJECTS, POISSON, SCOPES, SETTINGS,
+from scenes import (ENRICHMENTS, EXACT, FITS, JITTER, OBJECTS, POISSON, SCOPES, SETTINGS,
                     SWEPT_ENRICHMENTS, all_runs, cases_of, command)
 
 TOP = pathlib.Path(__file__).resolve().parents[2]
@@ -24,11 +24,13 @@ HERE = pathlib.Path(__file__).parent
 PROGRAM = TOP / "build" / "springfit"
 BENCHMARK = TOP / "build" / "network_benchmark"
 IN_SHORT = (0.3, 0.45, 0.49)
-LAWS = ("quadratic", "biquadratic")
-# Of a cell: its vertices, and the angles of its faces (cell_topology.h).
+# Of a cell: its vertices, the angles of its faces (cell_topology.h), and the points of the
+# finite element's quadrature.
+POINTS = {"triangles": 1, "quadrilaterals": 4, "tetrahedra": 1, "hexahedra": 8}
 VERTICES = {"triangles": 3, "quadrilaterals": 4, "tetrahedra": 4, "hexahedra": 8}
 ANGLES = {"triangles": 3, "quadrilaterals": 4, "tetrahedra": 12, "hexahedra": 24}
-STORED = ("springs", "couplings", "angles", "volumes")
+STORED = ("springs", "couplings", "angles", "volumes", "point_volumes")
+WORK = {"forces": "forces", "product": "tangent times a vector", "tangent": "tangent"}
 
 
 @dataclasses.dataclass
@@ -47,13 +49,21 @@ class Line:
 
     @property
     def label(self):
-        return self.fit if self.enrichment == "none" else f"{self.fit} + {self.enrichment}"
+        words = [word.replace("stable_neo_hookean", "stable neo-hookean").replace("_", " ")
+                 for word in (self.fit, self.enrichment)]
+        return words[0] if self.enrichment == "none" else " + ".join(words)
 
 
 def coefficients_per_cell(folder, row):
     name = row["fit"] + ("" if row["enrichment"] == "none" else "_" + row["enrichment"])
     files = [folder / f"{kind}_{name}.csv" for kind in STORED]
-    return sum(len(read_csv(file)) for file in files if file.exists()) / int(row["n_cells"])
+    n = 0
+    for file in files:
+        if file.exists():
+            rows = read_csv(file)
+            n += len(rows) * sum(re.fullmatch(r"k\d*|stiffness", name) is not None
+                                 for name in rows[0])
+    return n / int(row["n_cells"])
 
 
 def lines_of(runs, folder):
@@ -75,11 +85,12 @@ def lines_of(runs, folder):
 
 
 def times(kept, reuse):
-    """{(what, cells, enrichment, law): the shortest CPU time per cell, us}"""
+    """{(what, cells, model, law): the shortest CPU time per cell, ns}"""
     if not (reuse and kept.exists()):
         result = subprocess.run(
             [BENCHMARK, "--benchmark_format=json", "--benchmark_repetitions=3",
-             "--benchmark_min_time=0.05"], capture_output=True, text=True, check=True)
+             "--benchmark_min_time=0.05", "--benchmark_filter=.*/quadratic"],
+            capture_output=True, text=True, check=True)
         kept.write_text(result.stdout)
     shortest = {}
     for entry in json.loads(kept.read_text())["benchmarks"]:
@@ -151,39 +162,57 @@ def summary(lines):
     for object_, cells in OBJECTS:
         for mesh in JITTER:
             row = [cells, mesh]
-            for enrichment in ENRICHMENTS:
+            columns = [("consistent", enrichment) for enrichment in ENRICHMENTS]
+            columns += [(EXACT[0], enrichment) for enrichment in EXACT[1]
+                        if POINTS[cells] > 1 or enrichment == "volume"]
+            for fit, enrichment in columns:
                 found = [line for line in lines if
                          (line.role, line.cells, line.mesh, line.fit, line.enrichment) ==
-                         ("enrichments", cells, mesh, "consistent", enrichment)]
+                         ("enrichments", cells, mesh, fit.replace(" ", "_").replace("-", "_"),
+                          enrichment.replace(" ", "_"))]
                 worst = [number(max(found[0].errors[nu].values()))
                          if found and nu in found[0].errors else "-" for nu in IN_SHORT]
                 row.append("exact" if set(worst) == {"exact"} else " / ".join(worst))
+            if POINTS[cells] == 1:
+                row.append("the same")
             body.append(row)
     at = " / ".join(f"{nu:g}" for nu in IN_SHORT)
     return page.markdown_table(
-        ["cells", "mesh", *(f"{model(e)}, nu = {at}" for e in ENRICHMENTS)], body)
+        ["cells", "mesh", *(f"{model(e)}, nu = {at}" for e in ENRICHMENTS),
+         *(f"stable neo-hookean + {e}" for e in EXACT[1])], body)
 
 
-def coefficients_of_cell(cells, enrichment):
+def coefficients_of_cell(cells, name):
     springs = VERTICES[cells] * (VERTICES[cells] - 1) // 2
-    return springs + {"none": 0, "volume": 1, "angles": ANGLES[cells],
-                      "coupling": springs * (springs - 1) // 2}[enrichment]
+    return springs + {"none": 0, "angles": ANGLES[cells], "coupling": springs * (springs - 1) // 2,
+                      "stable neo-hookean, point volumes": POINTS[cells]}.get(name, 1)
 
 
 def cost_table(shortest):
+    models = {"none": "springs alone", "volume": "+ volume", "angles": "+ angles",
+              "coupling": "+ coupling",
+              "stable neo-hookean, volume": "stable neo-hookean + volume",
+              "stable neo-hookean, point volumes": "stable neo-hookean + point volumes",
+              "stable neo-hookean, logarithmic volume": "the same, logarithmic, + volume",
+              "stable neo-hookean, logarithmic point volumes":
+                  "the same, logarithmic, + point volumes"}
     body = []
     for _, cells in OBJECTS:
-        for enrichment in ENRICHMENTS:
-            row = [cells, model(enrichment), str(coefficients_of_cell(cells, enrichment))]
-            for what in ("forces", "tangents"):
+        for name, label in models.items():
+            if ("forces", cells, name, "quadratic") not in shortest:
+                continue
+            row = [cells, label, str(coefficients_of_cell(cells, name))]
+            for what in WORK:
                 alone = shortest[what, cells, "none", "quadratic"]
-                for law in LAWS:
-                    time_ = shortest[what, cells, enrichment, law]
-                    row.append(f"{time_ / alone:.1f} ({significant(time_)})")
+                time_ = shortest[what, cells, name, "quadratic"]
+                row.append(f"{time_ / alone:.1f} ({significant(time_)})")
             body.append(row)
-    return page.markdown_table(
-        ["cells", "model", "coefficients of a cell",
-         *(f"{what}, {law} law" for what in ("forces", "tangents") for law in LAWS)], body)
+    return page.markdown_table(["cells", "model", "coefficients of a cell", *WORK.values()], body)
+
+
+def bending_table():
+    return subprocess.run([TOP / "scripts" / "bending"], capture_output=True, text=True,
+                          check=True).stdout
 
 
 def scope_tables(lines, runs):
@@ -261,6 +290,7 @@ def main():
     lines = lines_of(experiments, runs)
     sweep_table, sweep_pictures = sweeps(experiments, runs, pictures)
     fill = {"origin": page.origin(TOP, PROGRAM), "summary": summary(lines),
+            "bending": bending_table(),
             "cost": cost_table(shortest), "errors": errors(lines, experiments, pictures),
             "scopes": scope_tables(lines, experiments),
             "paper": paper_objects.table(experiments, runs),

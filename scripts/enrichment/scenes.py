@@ -8,6 +8,7 @@ POISSON = (0., 0.25, 0.3, 0.45, 0.49)
 JITTER = {"regular": 0., "distorted": 0.2}
 FITS = ("frobenius", "consistent")
 ENRICHMENTS = ("none", "volume", "angles", "coupling")
+EXACT = ("stable neo-hookean", ("volume", "point volumes"))
 OBJECTS = (("square", "triangles"), ("square", "quadrilaterals"), ("cube", "tetrahedra"),
            ("cube", "hexahedra"))
 
@@ -128,7 +129,9 @@ def _large_deformations():
 
 
 def all_runs():
-    runs = list(_objects("enrichments", "cell", fit_options(FITS, ENRICHMENTS)))
+    fit, enrichments = EXACT
+    runs = list(_objects("enrichments", "cell", fit_options(
+        FITS + (fit,), ENRICHMENTS + tuple(set(enrichments) - set(ENRICHMENTS)))))
     for scope, (methods, more) in SCOPES.items():
         runs += _objects("scopes", scope, fit_options(methods, ("volume",)) + more, COARSER)
     runs += _paper_objects()

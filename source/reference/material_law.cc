@@ -1,6 +1,7 @@
 #include <springfit/core/plane_stress.h>
 #include <springfit/reference/material_law.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>

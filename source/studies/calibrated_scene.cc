@@ -83,7 +83,7 @@ namespace springfit
               gap       = std::max(gap, *cell.result.duality_gap);
             }
         }
-      return formatted("%-20s %8zu %10zu %9u %11.2f %11.2f %10s %12s %9.3f",
+      return formatted("%-32s %8zu %10zu %9u %11.2f %11.2f %10s %12s %9.3f",
                        network.name.c_str(),
                        network.cells.size(),
                        n_springs(network.network.families),
@@ -123,7 +123,7 @@ namespace springfit
           delivered.push_back(
             constants_of<dim>(part, scene.material.plane_state()));
           anisotropies.push_back(part.anisotropy);
-          session.print(formatted("  %-20s E %.6g, nu %.4f, anisotropy %.1f %%",
+          session.print(formatted("  %-32s E %.6g, nu %.4f, anisotropy %.1f %%",
                                   network.name.c_str(),
                                   delivered.back().youngs_modulus,
                                   delivered.back().poissons_ratio,
@@ -228,7 +228,7 @@ namespace springfit
                                     scene.statics.material_law(),
                                     session);
     session.print(
-      "fit                  distinct    springs  negative  |E|_F max%  |E|_2 max%  eig min%  "
+      "fit                              distinct    springs  negative  |E|_F max%  |E|_2 max%  eig min%  "
       "duality gap    time s");
     std::vector<FitRow> rows;
     for (const auto &network : calibrated.networks)
