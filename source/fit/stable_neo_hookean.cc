@@ -21,34 +21,30 @@ namespace springfit
       return nodes;
     }
 
-    /** The integrals of grad N_a . grad N_b, and the volumes at the points. */
-    struct Integrals
+    /** The integrals of grad N_a . grad N_b, n_nodes x n_nodes. */
+    Eigen::MatrixXd
+    integrals_of_gradients(const FitProblem &problem)
     {
-      explicit Integrals(const FitProblem &problem)
-        : of_gradients(
-            Eigen::MatrixXd::Zero(problem.points.cols(), problem.points.cols()))
-      {
-        for (const auto &[gradients, weight] : cell_quadrature(problem.kind))
-          {
-            const Eigen::MatrixXd J = problem.points * gradients.transpose();
-            const Eigen::MatrixXd g = J.transpose().inverse() * gradients;
-            volumes.push_back(weight * J.determinant());
-            of_gradients += volumes.back() * g.transpose() * g;
-          }
-      }
-
-      Eigen::MatrixXd of_gradients;
-      std::vector<double> volumes;
-    };
+      const Eigen::Index n = problem.points.cols();
+      Eigen::MatrixXd W    = Eigen::MatrixXd::Zero(n, n);
+      for (const auto &[gradients, weight] : cell_quadrature(problem.kind))
+        {
+          const Eigen::MatrixXd J = problem.points * gradients.transpose();
+          const Eigen::MatrixXd g = J.transpose().inverse() * gradients;
+          W += weight * J.determinant() * g.transpose() * g;
+        }
+      return W;
+    }
 
     Family
-    springs(const FitProblem &problem, const Integrals &integrals)
+    springs(const FitProblem &problem)
     {
+      const Eigen::MatrixXd W = integrals_of_gradients(problem);
       const double mu =
         problem.material.thickness * shear_modulus(problem.material);
       Family family(zero_lengths(problem.points.rows()));
       for (const auto &[a, b] : problem.springs)
-        family.add({a, b}, {{-mu * integrals.of_gradients(a, b)}, {0.}});
+        family.add({a, b}, {{-mu * W(a, b)}, {0.}});
       return family;
     }
 
@@ -95,12 +91,10 @@ namespace springfit
     }
 
     Family
-    mean_volume(const FitProblem &problem,
-                const Integrals &integrals,
-                const VolumeLaw law)
+    mean_volume(const FitProblem &problem, const VolumeLaw law)
     {
-      const std::vector<double> rest = {std::accumulate(
-        integrals.volumes.begin(), integrals.volumes.end(), 0.)};
+      const std::vector<double> rest = {
+        spring_volume(problem.points, problem.kind)};
       if (law == VolumeLaw::quadratic)
         return of_cell(problem,
                        volumes(problem.kind),
@@ -113,19 +107,18 @@ namespace springfit
     }
 
     Family
-    volumes_at_points(const FitProblem &problem,
-                      const Integrals &integrals,
-                      const VolumeLaw law)
+    volumes_at_points(const FitProblem &problem, const VolumeLaw law)
     {
+      const auto rest = spring_point_volumes(problem.points, problem.kind);
       if (law == VolumeLaw::quadratic)
         return of_cell(problem,
                        point_volumes(problem.kind),
-                       quadratic(problem, integrals.volumes));
+                       quadratic(problem, rest));
       return of_cell(problem,
                      problem.material.is_in_plane_stress
                        ? logarithmic_point_areas_in_plane_stress(problem.kind)
                        : logarithmic_point_volumes(problem.kind),
-                     logarithmic(problem, integrals.volumes));
+                     logarithmic(problem, rest));
     }
   } // namespace
 
@@ -134,16 +127,12 @@ namespace springfit
   {
     if (is_simplex(problem.kind))
       return fit_stable_neo_hookean_volume(problem, law);
-    const Integrals integrals(problem);
-    return {{springs(problem, integrals),
-             volumes_at_points(problem, integrals, law)}};
+    return {{springs(problem), volumes_at_points(problem, law)}};
   }
 
   CellModel
   fit_stable_neo_hookean_volume(const FitProblem &problem, const VolumeLaw law)
   {
-    const Integrals integrals(problem);
-    return {
-      {springs(problem, integrals), mean_volume(problem, integrals, law)}};
+    return {{springs(problem), mean_volume(problem, law)}};
   }
 } // namespace springfit

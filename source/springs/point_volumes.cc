@@ -329,6 +329,16 @@ namespace springfit
     return point_volumes_with<QuadraticVolumeLaw>(kind);
   }
 
+  std::vector<double>
+  spring_point_volumes(const Eigen::MatrixXd &points, const CellKind kind)
+  {
+    if (is_simplex(kind))
+      throw std::logic_error("a simplex has a single volume");
+    return kind == CellKind::quadrilateral
+             ? volumes_at<QuadrilateralPoints>(points)
+             : volumes_at<HexahedronPoints>(points);
+  }
+
   const SpringKind &
   logarithmic_point_volumes(const CellKind kind)
   {

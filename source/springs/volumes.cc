@@ -357,6 +357,23 @@ namespace springfit
     return volumes_with<QuadraticVolumeLaw>(kind, "volumes");
   }
 
+  double
+  spring_volume(const Eigen::MatrixXd &points, const CellKind kind)
+  {
+    switch (kind)
+      {
+        case CellKind::triangle:
+          return volumes_at<Triangle>(points).front();
+        case CellKind::quadrilateral:
+          return volumes_at<Quadrilateral>(points).front();
+        case CellKind::tetrahedron:
+          return volumes_at<Tetrahedron>(points).front();
+        case CellKind::hexahedron:
+          return volumes_at<Hexahedron>(points).front();
+      }
+    throw std::logic_error("a cell has no volume");
+  }
+
   const SpringKind &
   logarithmic_volumes(const CellKind kind)
   {

@@ -4,6 +4,10 @@
 #include <springfit/core/cell_kind.h>
 #include <springfit/springs/family.h>
 
+#include <Eigen/Core>
+
+#include <vector>
+
 namespace springfit
 {
   // Volumes at the points of Gauss' quadrature with two points per direction of
@@ -14,6 +18,14 @@ namespace springfit
 
   const SpringKind &
   point_volumes(CellKind kind);
+
+  /**
+   * The V_g of a cell, to the last digit as the springs compute them.
+   *
+   * @param points dim x n_vertices, m
+   */
+  std::vector<double>
+  spring_point_volumes(const Eigen::MatrixXd &points, CellKind kind);
 
   const SpringKind &
   logarithmic_point_volumes(CellKind kind);

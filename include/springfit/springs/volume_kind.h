@@ -190,6 +190,21 @@ namespace springfit
   }
 
 
+  /** The volumes of a cell with vertices at @p points, dim x n_nodes. */
+  template <template <typename> class Coordinates>
+  std::vector<double>
+  volumes_at(const Eigen::MatrixXd &points)
+  {
+    using Volumes = Coordinates<double>;
+    typename Volumes::Places places;
+    for (int a = 0; a < Volumes::n_nodes; ++a)
+      for (int d = 0; d < Volumes::dim; ++d)
+        places[a].c[d] = points(d, a);
+    const auto values = Volumes{typename Volumes::Edges(places)}.values();
+    return {values.begin(), values.end()};
+  }
+
+
   template <template <typename> class Coordinates, typename Law>
   class VolumeKind : public KernelKind<SingleVolumeKernel<Coordinates, Law>>
   {
@@ -225,13 +240,11 @@ namespace springfit
                  std::vector<std::vector<double>> &numbers,
                  const Eigen::MatrixXd &x) const override
     {
-      using Volumes = Coordinates<double>;
-      typename Volumes::Places places;
+      Eigen::MatrixXd points(dim, n_nodes);
       for (int a = 0; a < n_nodes; ++a)
-        for (int d = 0; d < dim; ++d)
-          places[a].c[d] = x(d, nodes[a]);
+        points.col(a) = x.col(nodes[a]);
       double volume = 0.;
-      for (const double V : Volumes{typename Volumes::Edges(places)}.values())
+      for (const double V : volumes_at<Coordinates>(points))
         volume += V;
       if (volume >= 0.)
         return;

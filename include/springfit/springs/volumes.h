@@ -4,6 +4,8 @@
 #include <springfit/core/cell_kind.h>
 #include <springfit/springs/family.h>
 
+#include <Eigen/Core>
+
 namespace springfit
 {
   // Springs whose coordinate is the volume V of a cell (m^3), in 2-d its area
@@ -18,6 +20,15 @@ namespace springfit
    */
   const SpringKind &
   volumes(CellKind kind);
+
+  /**
+   * The V of a cell, to the last digit as the springs compute it: a spring that
+   * shall be near rest wants it so.
+   *
+   * @param points dim x n_vertices, m
+   */
+  double
+  spring_volume(const Eigen::MatrixXd &points, CellKind kind);
 
   /**
    * The logarithmic law: with J = V / rest_volume an energy of
