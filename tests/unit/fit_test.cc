@@ -31,7 +31,7 @@ namespace
        const Method method,
        const FitOptions &options)
   {
-    return fit(oracle::fit_problem(x, kind, 0.3), method, options).k;
+    return fit(oracle::fit_problem(x, kind, 0.3), method, options).k();
   }
 
   TEST(Invariance, UnderMotions)
@@ -113,8 +113,9 @@ namespace
           const auto result        = fit(problem, method, options);
           const Eigen::MatrixXd &R = problem.stiffness;
           Eigen::MatrixXd E        = R;
-          for (int s = 0; s < result.k.size(); ++s)
-            E -= result.k[s] * problem.gradients.col(s) *
+          const Eigen::VectorXd k  = result.k();
+          for (int s = 0; s < k.size(); ++s)
+            E -= k[s] * problem.gradients.col(s) *
                  problem.gradients.col(s).transpose();
           EXPECT_NEAR(result.frobenius_residual, E.norm() / R.norm(), 1e-12);
           // The largest singular value, by another algorithm.
@@ -156,7 +157,7 @@ namespace
             {
               const auto problem = slender_problem(kind, random);
               const auto result  = fit(problem, method, options);
-              EXPECT_GE(result.k.minCoeff(), 0.);
+              EXPECT_GE(result.k().minCoeff(), 0.);
               EXPECT_EQ(result.n_negative, 0u);
               FitOptions free  = options;
               free.nonnegative = false;
