@@ -6,6 +6,8 @@
 #include <springfit/output/csv.h>
 #include <springfit/response/rigid_motion.h>
 #include <springfit/springs/cell_topology.h>
+#include <springfit/springs/network.h>
+#include <springfit/springs/rest_families.h>
 #include <springfit/springs/volume.h>
 
 #include <gtest/gtest.h>
@@ -32,7 +34,9 @@ namespace
     std::vector<unsigned int> vertices(points.cols());
     for (unsigned int v = 0; v < vertices.size(); ++v)
       vertices[v] = v;
-    builder.add_springs(vertices, node_pairs(kind), k);
+    builder.add(
+      lengths_at_rest(points, node_pairs(kind), k, SpringLaw::quadratic),
+      vertices);
     return builder.build();
   }
 
@@ -69,19 +73,19 @@ TEST(HomogenisedTensor, HasTheEnergyOfAffineDeformation)
   oracle::Random random(7);
   for (const CellKind kind : oracle::all_kinds)
     {
-      const int dim = dimension(kind);
-      const Eigen::VectorXd k =
-        random.matrix(node_pairs(kind).size(), 1).array() + 2.;
+      const int dim           = dimension(kind);
+      const auto &pairs       = node_pairs(kind);
+      const Eigen::VectorXd k = random.matrix(pairs.size(), 1).array() + 2.;
       const auto network      = cell_network(kind, k);
       const double volume     = 0.7;
       const auto C            = homogenised_tensor(network, volume);
       const Eigen::MatrixXd G = random.matrix(dim, dim);
       double energy           = 0.;
-      for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+      for (std::size_t s = 0; s < pairs.size(); ++s)
         {
           const Eigen::VectorXd d =
-            network.nodes.col(network.j[s]) - network.nodes.col(network.i[s]);
-          energy += network.stiffness[s] * std::pow(d.dot(G * d) / d.norm(), 2);
+            network.nodes.col(pairs[s][1]) - network.nodes.col(pairs[s][0]);
+          energy += k[s] * std::pow(d.dot(G * d) / d.norm(), 2);
         }
       const Eigen::MatrixXd Gt = G.transpose(); // row i of G one after another
       const Eigen::Map<const Eigen::VectorXd> g(Gt.data(), dim * dim);
@@ -124,12 +128,16 @@ TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAnglesAndVolumes)
       std::iota(vertices.begin(), vertices.end(), 0);
       const double V0 = volume(points, kind);
       NetworkBuilder builder(points);
-      builder.add_springs(vertices, pairs, Eigen::VectorXd::Zero(pairs.size()));
-      builder.add_couplings(vertices, pairs, {{0, 1, 3.}, {0, 2, -1.}});
-      builder.add_angles(vertices,
-                         {{1, 0, 2}},
-                         Eigen::VectorXd::Constant(1, 2.));
-      builder.add_volume(vertices, 5., V0);
+      builder.add(couplings_at_rest(points,
+                                    pairs,
+                                    {{0, 1, 3.}, {0, 2, -1.}},
+                                    SpringLaw::quadratic),
+                  vertices);
+      builder.add(angles_at_rest(points,
+                                 {{{1, 0, 2}}},
+                                 Eigen::VectorXd::Constant(1, 2.)),
+                  vertices);
+      builder.add(volume_at_rest(points, kind, 5.), vertices);
       const auto network = builder.build();
       const auto angle   = [](const Eigen::MatrixXd &x) {
         return std::acos((x.col(1) - x.col(0))
@@ -142,8 +150,9 @@ TEST(HomogenisedTensor, HasTheEnergyOfCouplingsAnglesAndVolumes)
       const auto energy       = [&](const double t) {
         const Eigen::MatrixXd x = points + t * G * points;
         const auto elongation   = [&](const unsigned int s) {
-          return (x.col(pairs[s][1]) - x.col(pairs[s][0])).norm() -
-                 network.rest_length[s];
+          const auto [i, j] = pairs[s];
+          return (x.col(j) - x.col(i)).norm() -
+                 (points.col(j) - points.col(i)).norm();
         };
         const double growth  = volume(x, kind) - V0;
         const double opening = angle(x) - angle(points);

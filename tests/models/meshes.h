@@ -6,6 +6,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <memory>
+#include <vector>
 
 #include "../unit/cells.h"
 
@@ -94,6 +95,18 @@ namespace springfit::oracle
     for (unsigned int v = 0; v < vertices.size(); ++v)
       for (int d = 0; d < dim; ++d)
         nodes(d, v) = vertices[v][d];
+    return nodes;
+  }
+
+  /** The nodes of a cell in the columns of nodes_of(). */
+  template <int dim>
+  std::vector<unsigned int>
+  nodes_of_cell(
+    const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+  {
+    std::vector<unsigned int> nodes;
+    for (const unsigned int v : cell->vertex_indices())
+      nodes.push_back(cell->vertex_index(v));
     return nodes;
   }
 

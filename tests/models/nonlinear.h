@@ -7,8 +7,9 @@
 #include <springfit/reference/material_law.h>
 #include <springfit/response/elastic_body.h>
 #include <springfit/springs/network.h>
-#include <springfit/springs/volume.h>
+#include <springfit/springs/rest_families.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -60,39 +61,32 @@ namespace springfit::oracle
     });
   }
 
-  /** All terms of a body, dense. */
+  /** A body at a state, its matrices dense. */
   struct DenseState
   {
     double energy;
     Eigen::MatrixXd forces; // dim x n_nodes
     Eigen::MatrixXd tangent;
+    Eigen::MatrixXd convex_tangent;
   };
 
   inline DenseState
   evaluate(const ElasticBody &body, const Eigen::MatrixXd &u)
   {
-    const Eigen::Index dim = u.rows();
-    DenseState state{0.,
-                     Eigen::MatrixXd::Zero(dim, u.cols()),
-                     Eigen::MatrixXd::Zero(u.size(), u.size())};
-    for (unsigned int t = 0; t < body.n_terms(); ++t)
-      {
-        const auto term = body.evaluate(t, u);
-        EXPECT_TRUE(term);
-        EXPECT_EQ(term->nodes[0], body.first_node(t));
-        state.energy += term->energy;
-        for (std::size_t a = 0; a < term->nodes.size(); ++a)
-          {
-            state.forces.col(term->nodes[a]) +=
-              term->gradient.segment(dim * a, dim);
-            for (std::size_t b = 0; b < term->nodes.size(); ++b)
-              state.tangent.block(dim * term->nodes[a],
-                                  dim * term->nodes[b],
-                                  dim,
-                                  dim) +=
-                term->hessian.block(dim * a, dim * b, dim, dim);
-          }
-      }
+    DenseState state;
+    state.energy = body.energy(u);
+    EXPECT_TRUE(std::isfinite(state.energy));
+    state.forces = Eigen::MatrixXd::Zero(u.rows(), u.cols());
+    body.add_forces(u, state.forces);
+
+    NodePattern pattern(u.cols());
+    body.add_to_pattern(pattern);
+    TangentMatrix tangent(u.rows(), pattern);
+    body.add_tangent(u, tangent);
+    state.tangent = tangent.matrix();
+    tangent.set_zero();
+    body.add_convex_tangent(u, tangent);
+    state.convex_tangent = tangent.matrix();
     return state;
   }
 
@@ -115,12 +109,69 @@ namespace springfit::oracle
         const auto minus   = evaluate(body, u - h * direction);
         const double slope = (plus.energy - minus.energy) / (2. * h);
         EXPECT_NEAR(slope,
-                    state.forces.cwiseProduct(direction).sum(),
+                    -state.forces.cwiseProduct(direction).sum(),
                     1e-7 * state.forces.norm() * direction.norm());
         const Eigen::MatrixXd change = (plus.forces - minus.forces) / (2. * h);
         EXPECT_LT(
-          (change.reshaped() - state.tangent * direction.reshaped()).norm(),
+          (change.reshaped() + state.tangent * direction.reshaped()).norm(),
           1e-7 * change.norm());
+      }
+
+    // The convex tangent leaves out nothing but negative eigenvalues.
+    const auto smallest_eigenvalue = [](const Eigen::MatrixXd &symmetric) {
+      return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+               symmetric, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .minCoeff();
+    };
+    const double rounding = 1e-12 * state.tangent.norm();
+    EXPECT_LT((state.convex_tangent - state.convex_tangent.transpose()).norm(),
+              rounding);
+    EXPECT_GT(smallest_eigenvalue(state.convex_tangent), -rounding);
+    EXPECT_GT(smallest_eigenvalue(state.convex_tangent - state.tangent),
+              -rounding);
+  }
+
+  /**
+   * The shares of ranks are the body together, however its nodes are divided
+   * among them; of a rank without nodes there is nothing.
+   */
+  inline void
+  check_shares(const ElasticBody &body,
+               const Eigen::MatrixXd &u,
+               Random &random)
+  {
+    const auto whole = evaluate(body, u);
+    for (const unsigned int n_ranks : {1u, 2u, 5u})
+      {
+        // The last rank has no nodes.
+        std::vector<std::vector<bool>> owned(n_ranks + 1,
+                                             std::vector<bool>(u.cols()));
+        for (Eigen::Index v = 0; v < u.cols(); ++v)
+          owned[static_cast<unsigned int>(random(0., n_ranks))][v] = true;
+        auto sum = evaluate(*body.share(owned.back()), u);
+        EXPECT_EQ(sum.energy, 0.);
+        EXPECT_EQ(sum.forces.norm(), 0.);
+        EXPECT_EQ(sum.tangent.norm(), 0.);
+        EXPECT_EQ(sum.convex_tangent.norm(), 0.);
+        owned.pop_back();
+        for (const auto &nodes : owned)
+          {
+            const auto share = evaluate(*body.share(nodes), u);
+            if (n_ranks > 1)
+              EXPECT_LT(share.tangent.norm(), whole.tangent.norm());
+            sum.energy += share.energy;
+            sum.forces += share.forces;
+            sum.tangent += share.tangent;
+            sum.convex_tangent += share.convex_tangent;
+          }
+        EXPECT_NEAR(sum.energy, whole.energy, 1e-12 * std::abs(whole.energy));
+        EXPECT_LT((sum.forces - whole.forces).norm(),
+                  1e-12 * whole.forces.norm());
+        EXPECT_LT((sum.tangent - whole.tangent).norm(),
+                  1e-13 * whole.tangent.norm());
+        EXPECT_LT((sum.convex_tangent - whole.convex_tangent).norm(),
+                  1e-13 * whole.convex_tangent.norm());
       }
   }
 
@@ -132,32 +183,37 @@ namespace springfit::oracle
     return box_mesh<dim>(3, 0.03, 0.2, random);
   }
 
-  /** A network with every kind of term on the cells of a mesh. */
+  /** A network with springs of every kind that cells have. */
   template <int dim>
   SpringNetwork
-  full_network(const Mesh<dim> &mesh, Random &random)
+  full_network(const Mesh<dim> &mesh,
+               Random &random,
+               const SpringLaw law = SpringLaw::quadratic)
   {
-    const auto &pairs = node_pairs(mesh.cell_kind);
+    const auto &pairs   = node_pairs(mesh.cell_kind);
+    const auto &triples = cell_angles(mesh.cell_kind);
+    const double size   = 0.01;
     NetworkBuilder builder(nodes_of(mesh));
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
-        std::vector<unsigned int> vertices;
-        for (const unsigned int v : cell->vertex_indices())
-          vertices.push_back(cell->vertex_index(v));
+        const auto nodes             = nodes_of_cell<dim>(cell);
+        const Eigen::MatrixXd points = cell_points<dim>(cell);
         Eigen::VectorXd k(pairs.size());
         for (Eigen::Index s = 0; s < k.size(); ++s)
           k[s] = random(0.5, 2.);
-        builder.add_springs(vertices, pairs, k);
-        builder.add_couplings(vertices, pairs, {{0, 1, 0.3}, {1, 3, 0.2}});
-        const double size   = 0.01;
-        const auto &triples = cell_angles(mesh.cell_kind);
-        builder.add_angles(vertices,
-                           triples,
-                           Eigen::VectorXd::Constant(triples.size(),
-                                                     0.1 * size * size));
-        builder.add_volume(vertices,
-                           1. / std::pow(size, 2 * dim - 2),
-                           volume(cell_points<dim>(cell), mesh.cell_kind));
+        builder.add(lengths_at_rest(points, pairs, k, law), nodes);
+        builder.add(
+          couplings_at_rest(points, pairs, {{0, 1, 0.3}, {1, 3, 0.2}}, law),
+          nodes);
+        builder.add(angles_at_rest(points,
+                                   triples,
+                                   Eigen::VectorXd::Constant(
+                                     triples.size(), 0.1 * size * size)),
+                    nodes);
+        builder.add(volume_at_rest(points,
+                                   mesh.cell_kind,
+                                   1. / std::pow(size, 2 * dim - 2)),
+                    nodes);
       }
     return builder.build();
   }

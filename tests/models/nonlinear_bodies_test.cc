@@ -1,3 +1,5 @@
+#include <springfit/response/discretization.h>
+#include <springfit/response/distributed_body.h>
 #include <springfit/response/finite_element_body.h>
 #include <springfit/response/network_body.h>
 
@@ -5,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "nonlinear.h"
 
@@ -39,6 +42,9 @@ namespace
                           random_matrix(dim, nodes.cols(), 1e-3, random),
                           0.01,
                           random);
+        check_shares(body,
+                     random_matrix(dim, nodes.cols(), 1e-3, random),
+                     random);
         check_rigid_rotation<dim>(body, nodes, random);
 
         // Patch test: an affine deformation leaves no force on inner nodes.
@@ -165,7 +171,7 @@ TEST(NonlinearFiniteElements, UniaxialNeoHookeanStress)
   for (Eigen::Index v = 0; v < nodes.cols(); ++v)
     {
       if (nodes(0, v) > 0.03 - 1e-9)
-        force += state.forces(0, v);
+        force -= state.forces(0, v);
       lateral = std::max(lateral, state.forces.col(v).tail(2).norm());
     }
   EXPECT_NEAR(force, P * 0.03 * 0.03, 1e-10 * force);
@@ -180,19 +186,21 @@ namespace
   {
     Random random(27);
     const auto mesh = distorted_box<dim>(random);
-    auto network    = full_network(*mesh, random);
-    EXPECT_FALSE(network.couplings.empty());
-    EXPECT_FALSE(network.angles.empty());
-    EXPECT_FALSE(network.volumes.empty());
     for (const auto law : {SpringLaw::quadratic, SpringLaw::biquadratic})
       {
-        network.law = law;
-        const NetworkBody<dim> body(network);
+        const auto network = full_network(*mesh, random, law);
+        ASSERT_EQ(network.families.size(), 4u);
+        for (const auto &family : network.families)
+          EXPECT_GT(family.size(), 0u);
+        const NetworkBody body(network);
         check_derivatives(
           body,
           random_matrix(dim, network.nodes.cols(), 1e-3, random),
           0.01,
           random);
+        check_shares(body,
+                     random_matrix(dim, network.nodes.cols(), 1e-3, random),
+                     random);
         check_rigid_rotation<dim>(body, network.nodes, random);
       }
   }
@@ -215,18 +223,97 @@ TEST(NonlinearSprings, PatchTestOnARegularMesh)
   NetworkBuilder builder(nodes);
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
     {
-      std::vector<unsigned int> vertices;
-      for (const unsigned int v : cell->vertex_indices())
-        vertices.push_back(cell->vertex_index(v));
-      builder.add_springs(vertices, pairs, Eigen::VectorXd::Ones(pairs.size()));
+      builder.add(lengths_at_rest(cell_points<3>(cell),
+                                  pairs,
+                                  Eigen::VectorXd::Ones(pairs.size()),
+                                  SpringLaw::quadratic),
+                  nodes_of_cell<3>(cell));
     }
   const auto network = builder.build();
   const auto state =
-    evaluate(NetworkBody<3>(network), random_matrix(3, 3, 0.3, random) * nodes);
+    evaluate(NetworkBody(network), random_matrix(3, 3, 0.3, random) * nodes);
   for (Eigen::Index v = 0; v < nodes.cols(); ++v)
     if ((nodes.col(v).array() > 1e-6).all() &&
         (nodes.col(v).array() < 0.03 - 1e-6).all())
       {
         EXPECT_LT(state.forces.col(v).norm(), 1e-10 * state.forces.norm());
       }
+}
+
+namespace
+{
+  /** A body on the unknowns of a discretization is that of the nodes. */
+  template <int dim>
+  void
+  check_distributed(const Mesh<dim> &mesh,
+                    const ElasticBody &body,
+                    const Eigen::MatrixXd &u)
+  {
+    std::vector<bool> fixed;
+    for (Eigen::Index v = 0; v < u.cols(); ++v)
+      fixed.push_back(v % 3 == 1);
+    const Discretization<dim> discretization(mesh, fixed, MPI_COMM_SELF);
+    DistributedBody<dim> distributed(discretization, body);
+    const auto state = evaluate(body, u);
+    EXPECT_NEAR(distributed.energy(u),
+                state.energy,
+                1e-13 * std::abs(state.energy));
+
+    Eigen::MatrixXd forces = state.forces;
+    for (Eigen::Index v = 0; v < u.cols(); ++v)
+      if (fixed[v])
+        forces.col(v).setZero();
+    EXPECT_LT((discretization.to_nodal(distributed.forces(u)) - forces).norm(),
+              1e-13 * forces.norm());
+
+    typename Discretization<dim>::Matrix matrix;
+    discretization.initialize(matrix);
+    const auto check_matrix = [&](const Eigen::MatrixXd &expected) {
+      double error = 0.;
+      for (Eigen::Index i = 0; i < u.size(); ++i)
+        for (Eigen::Index j = 0; j < u.size(); ++j)
+          {
+            const double entry =
+              matrix.el(discretization.dof(i / dim, i % dim),
+                        discretization.dof(j / dim, j % dim));
+            if (!fixed[i / dim] && !fixed[j / dim])
+              error = std::max(error, std::abs(entry - expected(i, j)));
+            else if (i != j)
+              EXPECT_EQ(entry, 0.);
+            else
+              EXPECT_GT(entry, 0.);
+          }
+      EXPECT_LT(error, 1e-13 * expected.cwiseAbs().maxCoeff());
+    };
+    // What the matrix held before does not matter.
+    distributed.convex_tangent(u, matrix);
+    check_matrix(state.convex_tangent);
+    distributed.tangent(u, matrix);
+    check_matrix(state.tangent);
+  }
+
+  template <int dim>
+  void
+  check_distributed_models()
+  {
+    Random random(30);
+    const auto mesh    = distorted_box<dim>(random);
+    const auto element = make_element<dim>(mesh->cell_kind);
+    const Eigen::MatrixXd u =
+      random_matrix(dim, nodes_of(*mesh).cols(), 1e-3, random);
+    check_distributed<dim>(*mesh, NetworkBody(full_network(*mesh, random)), u);
+    check_distributed<dim>(
+      *mesh,
+      FiniteElementBody<dim>(*mesh,
+                             element,
+                             {{0, usual_material<dim>(1e4, 0.3)}},
+                             MaterialLaw::neo_hookean),
+      u);
+  }
+} // namespace
+
+TEST(DistributedBody, IsTheBodyOnItsUnknowns)
+{
+  check_distributed_models<2>();
+  check_distributed_models<3>();
 }

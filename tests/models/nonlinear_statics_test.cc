@@ -1,3 +1,4 @@
+#include <springfit/response/distributed_body.h>
 #include <springfit/response/finite_element_body.h>
 #include <springfit/response/linear_solver.h>
 #include <springfit/response/network_body.h>
@@ -160,7 +161,7 @@ TEST(Newton, ConvergesQuadratically)
   forces.row(1)          = 0.3 * forces.row(0);
   Random random(26);
   const auto network = full_network(*bar.mesh, random);
-  const NetworkBody<3> springs(network);
+  const NetworkBody springs(network);
   for (const auto law : hyperelastic)
     {
       const FiniteElementBody<3> cells(*bar.mesh,
@@ -172,9 +173,10 @@ TEST(Newton, ConvergesQuadratically)
             static_cast<const ElasticBody *>(&springs)})
         {
           const double scale = body == &springs ? 1e-2 : 1.;
+          DistributedBody<3> distributed(bar.discretization, *body);
           const auto result =
             newton<3>(bar.discretization,
-                      *body,
+                      distributed,
                       make_solver,
                       bar.discretization.to_vector(scale * forces),
                       Eigen::MatrixXd::Zero(3, bar.nodes.cols()),
@@ -199,10 +201,13 @@ namespace
   SpringNetwork
   shallow_truss(const Mesh<2> &mesh, const double k)
   {
-    NetworkBuilder builder(nodes_of(mesh));
-    builder.add_springs({0, 1, 2},
-                        node_pairs(CellKind::triangle),
-                        Eigen::Vector3d(1., k, k));
+    const Eigen::MatrixXd points = nodes_of(mesh);
+    NetworkBuilder builder(points);
+    builder.add(lengths_at_rest(points,
+                                node_pairs(CellKind::triangle),
+                                Eigen::Vector3d(1., k, k),
+                                SpringLaw::quadratic),
+                {0, 1, 2});
     return builder.build();
   }
 } // namespace

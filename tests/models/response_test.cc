@@ -6,11 +6,13 @@
 #include <springfit/response/region.h>
 #include <springfit/response/stability.h>
 #include <springfit/response/statics.h>
+#include <springfit/springs/rest_families.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "meshes.h"
 
@@ -34,13 +36,24 @@ namespace
               thickness}}};
   }
 
-  template <int dim>
+  /** Springs at rest between nodes of 1 kg. */
+  SpringNetwork
+  springs_at_rest(const Eigen::MatrixXd &nodes,
+                  const std::vector<NodePair> &pairs,
+                  const Eigen::VectorXd &k)
+  {
+    return {nodes,
+            {lengths_at_rest(nodes, pairs, k, SpringLaw::quadratic)},
+            std::vector<double>(nodes.cols(), 1.)};
+  }
+
   unsigned int
   n_unstable_at_rest(const SpringNetwork &network,
                      const std::vector<bool> &fixed)
   {
-    return n_unstable_motions(NetworkBody<dim>(network),
-                              Eigen::MatrixXd::Zero(dim, network.nodes.cols()),
+    return n_unstable_motions(NetworkBody(network),
+                              Eigen::MatrixXd::Zero(network.nodes.rows(),
+                                                    network.nodes.cols()),
                               fixed);
   }
 
@@ -101,14 +114,9 @@ TEST(Springs, TangentIsTheSumOverSprings)
   description.material_ids = {0};
   const auto mesh          = build_mesh<2>(description);
 
-  SpringNetwork network;
-  network.nodes       = nodes_of(*mesh);
-  network.i           = {0, 0, 1};
-  network.j           = {1, 2, 2};
-  network.stiffness   = {3., 5., 7.};
-  network.rest_length = {1., 1., std::sqrt(2.)};
-  network.mass        = {1., 1., 1.};
-
+  const auto network = springs_at_rest(nodes_of(*mesh),
+                                       {{{0, 1}}, {{0, 2}}, {{1, 2}}},
+                                       Eigen::Vector3d(3., 5., 7.));
   const Discretization<2> discretization(*mesh,
                                          {true, false, true},
                                          MPI_COMM_SELF);
@@ -132,13 +140,10 @@ TEST(Springs, AMechanismIsRefused)
 {
   oracle::Random random(5);
   const auto mesh = oracle::box_mesh<2>(1, 1., 0., random);
-  SpringNetwork network; // a square without diagonals shears freely
-  network.nodes       = nodes_of(*mesh);
-  network.i           = {0, 0, 1, 2};
-  network.j           = {1, 2, 3, 3};
-  network.stiffness   = {1., 1., 1., 1.};
-  network.rest_length = {1., 1., 1., 1.};
-  network.mass        = {1., 1., 1., 1.};
+  // A square without diagonals shears freely.
+  const auto network = springs_at_rest(nodes_of(*mesh),
+                                       {{{0, 1}}, {{0, 2}}, {{1, 3}}, {{2, 3}}},
+                                       Eigen::Vector4d::Ones());
   const Discretization<2> discretization(*mesh,
                                          {true, true, false, false},
                                          MPI_COMM_SELF);
@@ -156,57 +161,50 @@ TEST(Springs, AMechanismIsRefused)
 TEST(Springs, UnstableMotionsAreCounted)
 {
   // One free node between three fixed ones: the tangent is k_x and k_y.
-  SpringNetwork network;
-  network.nodes.resize(2, 3);
-  network.nodes << 0., 1., 1., //
+  Eigen::MatrixXd corner(2, 3);
+  corner << 0., 1., 1., //
     0., 0., 1.;
-  network.i                     = {0, 1};
-  network.j                     = {1, 2};
-  network.stiffness             = {2., 3.};
-  network.rest_length           = {1., 1.};
   const std::vector<bool> fixed = {true, false, true};
-  EXPECT_EQ(n_unstable_at_rest<2>(network, fixed), 0u);
-  network.stiffness = {2., -3.};
-  EXPECT_EQ(n_unstable_at_rest<2>(network, fixed), 1u);
-  network.stiffness = {-2., -3.};
-  EXPECT_EQ(n_unstable_at_rest<2>(network, fixed), 2u);
+  const auto n_unstable         = [&](const double k_x, const double k_y) {
+    return n_unstable_at_rest(springs_at_rest(corner,
+                                              {{{0, 1}}, {{1, 2}}},
+                                              Eigen::Vector2d(k_x, k_y)),
+                              fixed);
+  };
+  EXPECT_EQ(n_unstable(2., 3.), 0u);
+  EXPECT_EQ(n_unstable(2., -3.), 1u);
+  EXPECT_EQ(n_unstable(-2., -3.), 2u);
 
   // Against dense eigenvalues, with springs of both signs.
   oracle::Random random(11);
-  const auto mesh = oracle::box_mesh<3>(2, 1., 0.2, random);
-  network.nodes   = nodes_of(*mesh);
-  network.i.clear();
-  network.j.clear();
-  network.stiffness.clear();
-  network.rest_length.clear();
+  const auto mesh             = oracle::box_mesh<3>(2, 1., 0.2, random);
+  const Eigen::MatrixXd nodes = nodes_of(*mesh);
+  std::vector<NodePair> pairs;
   for (unsigned int i = 0; i < 27; ++i)
     for (unsigned int j = i + 1; j < 27; ++j)
-      {
-        network.i.push_back(i);
-        network.j.push_back(j);
-        network.stiffness.push_back(random(-0.4, 1.));
-        network.rest_length.push_back(
-          (network.nodes.col(j) - network.nodes.col(i)).norm());
-      }
+      pairs.push_back({{i, j}});
+  Eigen::VectorXd k(pairs.size());
+  for (double &stiffness : k)
+    stiffness = random(-0.4, 1.);
   std::vector<bool> held(27, false);
   std::fill_n(held.begin(), 9, true);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(81, 81);
-  for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+  for (std::size_t s = 0; s < pairs.size(); ++s)
     {
-      Eigen::VectorXd b = Eigen::VectorXd::Zero(81);
-      const Eigen::VectorXd n =
-        (network.nodes.col(network.j[s]) - network.nodes.col(network.i[s]))
-          .normalized();
-      b.segment(3 * network.i[s], 3) = -n;
-      b.segment(3 * network.j[s], 3) = n;
-      K += network.stiffness[s] * b * b.transpose();
+      const auto [i, j]       = pairs[s];
+      Eigen::VectorXd b       = Eigen::VectorXd::Zero(81);
+      const Eigen::VectorXd n = (nodes.col(j) - nodes.col(i)).normalized();
+      b.segment(3 * i, 3)     = -n;
+      b.segment(3 * j, 3)     = n;
+      K += k[s] * b * b.transpose();
     }
   const Eigen::VectorXd eigenvalues =
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K.bottomRightCorner(54, 54))
       .eigenvalues();
   const unsigned int expected = (eigenvalues.array() < 0.).count();
   EXPECT_GT(expected, 0u);
-  EXPECT_EQ(n_unstable_at_rest<3>(network, held), expected);
+  EXPECT_EQ(n_unstable_at_rest(springs_at_rest(nodes, pairs, k), held),
+            expected);
 }
 
 TEST(DeliveredConstants, AreNothingWhereNothingIsStrained)
