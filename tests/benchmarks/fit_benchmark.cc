@@ -31,7 +31,7 @@ namespace
     FitOptions options;
     options.engine = engine;
     return [options](const FitProblem &problem) {
-      return fit(problem, Method::spectral, options).k;
+      return fit(problem, Method::spectral, options).k();
     };
   }
 

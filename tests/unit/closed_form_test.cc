@@ -147,7 +147,7 @@ namespace
             const auto problem = regular_problem(row.kind, row.nu);
             const auto result =
               fit(problem, row.method, options_of(engine, nonnegative));
-            expect_by_length(problem, result.k, row.k_by_length, 1e-6);
+            expect_by_length(problem, result.k(), row.k_by_length, 1e-6);
             if (row.t)
               {
                 const double t =
@@ -171,13 +171,13 @@ namespace
           EXPECT_NEAR(t, 25. / 182., 1e-6 * 25. / 182.);
           EXPECT_NEAR(25. / 182., 0.137363, 1e-6);
           for (const int edge : {0, 1, 4, 5})
-            EXPECT_NEAR(result.k[edge], 0.315934, 1e-6);
+            EXPECT_NEAR(result.k()[edge], 0.315934, 1e-6);
           for (const int diagonal : {2, 3})
             {
-              EXPECT_GT(result.k[diagonal], 0.323);
-              EXPECT_LT(result.k[diagonal], 0.460);
+              EXPECT_GT(result.k()[diagonal], 0.323);
+              EXPECT_LT(result.k()[diagonal], 0.460);
             }
-          EXPECT_NEAR(result.k[2], result.k[3], 1e-6);
+          EXPECT_NEAR(result.k()[2], result.k()[3], 1e-6);
         }
   }
 

@@ -1,6 +1,6 @@
 // The elongation of a spring by either law, and couplings of two of them.
 
-#include <springfit/springs/coupling.h>
+#include <springfit/springs/couplings.h>
 #include <springfit/springs/elongation.h>
 #include <springfit/springs/gradients.h>
 
@@ -89,19 +89,23 @@ namespace
     Random random(24);
     const double stiffness = 3., L_a = 0.7, L_b = 1.6;
     const Eigen::MatrixXd x = random.matrix(dim, 4);
-    const auto apply        = [&](const auto &f, const Eigen::MatrixXd &y) {
-      return f(stiffness,
-               elongation_of<dim>(law, L_a, y, 0, 1),
-               elongation_of<dim>(law, L_b, y, 2, 3));
-    };
+    const SpringKind &kind  = couplings(dim, law);
+    Family family(kind);
+    family.add({0, 1, 2, 3}, {{stiffness}, {L_a}, {L_b}});
     const auto energy = [&](const Eigen::MatrixXd &y) {
-      return scalar(apply(coupling_energy<dim>, y));
+      return scalar(kind.energy(family.members, y));
     };
-    const auto gradient = [&](const Eigen::MatrixXd &y) {
-      return Eigen::VectorXd(apply(coupling_gradient<dim>, y));
+    const auto gradient = [&](const Eigen::MatrixXd &y) -> Eigen::VectorXd {
+      Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(dim, 4);
+      kind.add_forces(family.members, y, forces);
+      return -forces.reshaped();
     };
-    const Eigen::MatrixXd H = apply(coupling_hessian<dim>, x);
+    const Eigen::MatrixXd H = kind.hessian(family.members, 0, x);
 
+    EXPECT_NEAR(energy(x)[0],
+                stiffness * elongation_of<dim>(law, L_a, x, 0, 1).value() *
+                  elongation_of<dim>(law, L_b, x, 2, 3).value(),
+                1e-14);
     if (law == SpringLaw::quadratic)
       EXPECT_NEAR(energy(x)[0],
                   stiffness * ((x.col(1) - x.col(0)).norm() - L_a) *

@@ -5,7 +5,9 @@
 
 #include <springfit/fit/fit.h>
 #include <springfit/fit/spectral.h>
+#include <springfit/springs/network.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -53,6 +55,28 @@ namespace springfit::oracle
     Eigen::MatrixXd x = random_cell(kind, random);
     x.row(0) *= 3.;
     return fit_problem(x, kind, random(0., 0.45));
+  }
+
+  /** The constants of the families of a word; none if a model lacks them. */
+  inline Eigen::VectorXd
+  constants_of(const CellModel &model, const std::string &word)
+  {
+    Families families;
+    for (const auto &family : model.families)
+      if (family.kind->word() == word)
+        families.push_back(family);
+    return springfit::constants_of(families);
+  }
+
+  /** What a model has between two vertices. */
+  inline CellModel
+  springs_of(const CellModel &model)
+  {
+    CellModel springs;
+    for (const auto &family : model.families)
+      if (family.kind->word() == "springs")
+        springs.families.push_back(family);
+    return springs;
   }
 
   /** The springs of a cell alone; @p n_nonnegative of them k >= 0. */

@@ -3,11 +3,14 @@
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/gradients.h>
 #include <springfit/springs/network.h>
+#include <springfit/springs/rest_families.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "cells.h"
@@ -25,9 +28,9 @@ namespace
     //  0 - 1      springs: 01, 02, 12, 13, 23
     TwoTriangles() : builder(nodes())
     {
-      builder.add_springs(lower, pairs, Eigen::Vector3d(1., 2., 3.));
+      builder.add(springs(lower, Eigen::Vector3d(1., 2., 3.)), lower);
       // The shared spring comes as (2, 1) here.
-      builder.add_springs(upper, pairs, Eigen::Vector3d(10., 20., -30.));
+      builder.add(springs(upper, Eigen::Vector3d(10., 20., -30.)), upper);
       builder.add_masses(lower, Eigen::Vector3d(0.1, 0.2, 0.3));
       builder.add_masses(upper, Eigen::Vector3d(1., 2., 3.));
     }
@@ -41,6 +44,53 @@ namespace
       return x;
     }
 
+    static Eigen::MatrixXd
+    points(const std::vector<unsigned int> &cell)
+    {
+      return nodes()(Eigen::all, cell);
+    }
+
+    Family
+    springs(const std::vector<unsigned int> &cell,
+            const Eigen::VectorXd &k) const
+    {
+      return lengths_at_rest(points(cell), pairs, k, SpringLaw::quadratic);
+    }
+
+    Family
+    couplings(const std::vector<unsigned int> &cell,
+              const std::vector<LengthCoupling> &all) const
+    {
+      return couplings_at_rest(points(cell), pairs, all, SpringLaw::quadratic);
+    }
+
+    /** Nodes and stiffness of each member of a family of the network. */
+    using Found = std::vector<std::pair<std::vector<unsigned int>, double>>;
+
+    Found
+    found(const std::string &word) const
+    {
+      Found members;
+      for (const auto &family : builder.build().families)
+        if (family.kind->word() == word)
+          for (std::size_t m = 0; m < family.size(); ++m)
+            members.emplace_back(std::vector<unsigned int>(
+                                   family.nodes(m),
+                                   family.nodes(m) + family.kind->n_nodes()),
+                                 family.members.columns[0][m]);
+      return members;
+    }
+
+    /** A column of the only family of a word. */
+    std::vector<double>
+    column(const std::string &word, const unsigned int c) const
+    {
+      for (const auto &family : builder.build().families)
+        if (family.kind->word() == word)
+          return family.members.columns[c];
+      return {};
+    }
+
     const std::vector<NodePair> &pairs    = node_pairs(CellKind::triangle);
     const std::vector<unsigned int> lower = {0, 1, 2};
     const std::vector<unsigned int> upper = {3, 2, 1};
@@ -49,17 +99,23 @@ namespace
 
   TEST_F(TwoTriangles, SpringsAreSortedAndMerged)
   {
-    using Nodes        = std::vector<unsigned int>;
-    const auto network = builder.build();
-    EXPECT_EQ(network.i, (Nodes{0, 0, 1, 1, 2}));
-    EXPECT_EQ(network.j, (Nodes{1, 2, 2, 3, 3}));
-    EXPECT_EQ(network.stiffness, (std::vector<double>{1., 2., -27., 20., 10.}));
-    EXPECT_EQ(n_negative(network), 1u);
+    EXPECT_EQ(found("springs"),
+              (Found{{{0, 1}, 1.},
+                     {{0, 2}, 2.},
+                     {{1, 2}, -27.},
+                     {{1, 3}, 20.},
+                     {{2, 3}, 10.}}));
+    const Families families = builder.build().families;
+    EXPECT_EQ(n_negative(families), 1u);
+    EXPECT_EQ(n_springs(families), 5u);
+    Eigen::VectorXd k(5);
+    k << 1., 2., -27., 20., 10.;
+    EXPECT_EQ(spring_stiffness(families), k);
   }
 
   TEST_F(TwoTriangles, RestLengthsAreTheDistances)
   {
-    EXPECT_EQ(builder.build().rest_length,
+    EXPECT_EQ(column("springs", 1),
               (std::vector<double>{2., 1., std::sqrt(5.), 1., 2.}));
   }
 
@@ -68,35 +124,52 @@ namespace
     EXPECT_EQ(builder.build().mass, (std::vector<double>{0.1, 3.2, 2.3, 1.}));
   }
 
-  TEST_F(TwoTriangles, CouplingsNameTheSpringsOfTheNetwork)
+  TEST_F(TwoTriangles, CouplingsNameTheNodesOfTheirSprings)
   {
     // Of (01, 02, 12), and of (32, 31, 21): the last one is shared.
-    builder.add_couplings(lower, pairs, {{0, 1, 10.}, {0, 2, 20.}});
-    builder.add_couplings(upper, pairs, {{1, 2, 40.}, {0, 2, 30.}});
-    const auto couplings = builder.build().couplings;
-    std::vector<std::vector<double>> found;
-    for (const auto &[a, b, stiffness] : couplings)
-      found.push_back({double(a), double(b), stiffness});
-    EXPECT_EQ(found,
-              (std::vector<std::vector<double>>{
-                {0, 1, 10.}, {0, 2, 20.}, {2, 3, 40.}, {2, 4, 30.}}));
+    builder.add(couplings(lower, {{0, 1, 10.}, {0, 2, 20.}}), lower);
+    builder.add(couplings(upper, {{1, 2, 40.}, {0, 2, 30.}}), upper);
+    EXPECT_EQ(found("couplings"),
+              (Found{{{0, 1, 0, 2}, 10.},
+                     {{0, 1, 1, 2}, 20.},
+                     {{1, 2, 1, 3}, 40.},
+                     {{1, 2, 2, 3}, 30.}}));
+    EXPECT_EQ(column("couplings", 1),
+              (std::vector<double>{2., 2., std::sqrt(5.), std::sqrt(5.)}));
+    EXPECT_EQ(column("couplings", 2),
+              (std::vector<double>{1., std::sqrt(5.), 1., 2.}));
   }
 
   TEST_F(TwoTriangles, CouplingsOfTheSameSpringsAreAdded)
   {
-    builder.add_couplings(lower, pairs, {{1, 2, 10.}});
-    builder.add_couplings({2, 1, 0}, pairs, {{0, 1, 5.}}); // 21 and 20
-    const auto couplings = builder.build().couplings;
-    ASSERT_EQ(couplings.size(), 1u);
-    EXPECT_EQ(couplings[0].a, 1u);
-    EXPECT_EQ(couplings[0].b, 2u);
-    EXPECT_EQ(couplings[0].stiffness, 15.);
+    builder.add(couplings(lower, {{1, 2, 10.}}), lower);
+    // 21 and 20
+    builder.add(couplings({2, 1, 0}, {{0, 1, 5.}}), {2, 1, 0});
+    EXPECT_EQ(found("couplings"), (Found{{{0, 2, 1, 2}, 15.}}));
+    EXPECT_EQ(column("couplings", 1), (std::vector<double>{1.}));
+    EXPECT_EQ(column("couplings", 2), (std::vector<double>{std::sqrt(5.)}));
   }
 
-  TEST_F(TwoTriangles, ACouplingNeedsItsSprings)
+  TEST_F(TwoTriangles, ACouplingNeedsNoSprings)
   {
-    builder.add_couplings({0, 1, 3}, pairs, {{0, 1, 10.}}); // no spring 03
-    EXPECT_THROW(builder.build(), std::logic_error);
+    const std::vector<unsigned int> cell = {0, 1, 3}; // there is no spring 03
+    builder.add(couplings(cell, {{0, 1, 10.}}), cell);
+    EXPECT_EQ(found("couplings"), (Found{{{0, 1, 0, 3}, 10.}}));
+    EXPECT_EQ(found("springs").size(), 5u);
+    // Stretched along x by 1.5: 01 and 03 get longer.
+    Eigen::MatrixXd x = nodes();
+    x.row(0) *= 1.5;
+    double of_springs = 0.;
+    for (const auto &[pair, k] : found("springs"))
+      {
+        const double change =
+          (x.col(pair[1]) - x.col(pair[0])).norm() -
+          (nodes().col(pair[1]) - nodes().col(pair[0])).norm();
+        of_springs += 0.5 * k * change * change;
+      }
+    EXPECT_NEAR(energy(builder.build().families, x),
+                of_springs + 10. * (3. - 2.) * (std::sqrt(10.) - std::sqrt(5.)),
+                1e-14 * 10.);
   }
 
   TEST_F(TwoTriangles, AnglesOfTheSameNodesAreAdded)
@@ -104,53 +177,69 @@ namespace
     // Those at 0, 1, 2 of the lower triangle, at 3 of the upper one, and one of
     // the lower triangle again with its ends exchanged.
     const auto &triples = cell_angles(CellKind::triangle);
-    builder.add_angles(lower, triples, Eigen::Vector3d(1., 2., 3.));
-    builder.add_angles(upper, {triples[0]}, Eigen::VectorXd::Constant(1, 4.));
-    builder.add_angles({2, 1, 0},
-                       {{2, 1, 0}},
-                       Eigen::VectorXd::Constant(1, 9.));
-    const auto angles = builder.build().angles;
-    std::vector<NodeTriple> found;
-    std::vector<double> stiffness;
-    for (const auto &spring : angles)
-      {
-        found.push_back(spring.nodes);
-        stiffness.push_back(spring.stiffness);
-      }
-    EXPECT_EQ(
-      found,
-      (std::vector<NodeTriple>{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 3, 2}}));
-    EXPECT_EQ(stiffness, (std::vector<double>{11., 3., 1., 4.}));
+    builder.add(angles_at_rest(points(lower),
+                               triples,
+                               Eigen::Vector3d(1., 2., 3.)),
+                lower);
+    builder.add(angles_at_rest(points(upper),
+                               {triples[0]},
+                               Eigen::VectorXd::Constant(1, 4.)),
+                upper);
+    builder.add(angles_at_rest(points({2, 1, 0}),
+                               {{2, 1, 0}},
+                               Eigen::VectorXd::Constant(1, 9.)),
+                {2, 1, 0});
+    EXPECT_EQ(found("angles"),
+              (Found{{{0, 1, 2}, 11.},
+                     {{0, 2, 1}, 3.},
+                     {{1, 0, 2}, 1.},
+                     {{1, 3, 2}, 4.}}));
     // The legs are 2 and 1.
-    EXPECT_NEAR(angles[0].rest_angle, std::atan(0.5), 1e-15);
-    EXPECT_NEAR(angles[1].rest_angle, std::atan(2.), 1e-15);
-    EXPECT_NEAR(angles[2].rest_angle, std::acos(0.), 1e-15);
+    const auto rest_angles = column("angles", 1);
+    EXPECT_NEAR(rest_angles[0], std::atan(0.5), 1e-15);
+    EXPECT_NEAR(rest_angles[1], std::atan(2.), 1e-15);
+    EXPECT_NEAR(rest_angles[2], std::acos(0.), 1e-15);
   }
 
   TEST_F(TwoTriangles, ADegenerateAngleIsNoPartOfANetwork)
   {
-    EXPECT_THROW(builder.add_angles({0, 1, 1},
-                                    {{0, 1, 2}},
-                                    Eigen::VectorXd::Ones(1)),
+    EXPECT_THROW(angles_at_rest(points({0, 1, 1}),
+                                {{0, 1, 2}},
+                                Eigen::VectorXd::Ones(1)),
                  std::logic_error);
   }
 
   TEST_F(TwoTriangles, HaveSpringsAloneUntilSomethingIsAdded)
   {
-    EXPECT_TRUE(has_springs_alone(builder.build()));
-    builder.add_angles(lower, {{0, 1, 2}}, Eigen::VectorXd::Ones(1));
-    EXPECT_FALSE(has_springs_alone(builder.build()));
+    EXPECT_TRUE(has_springs_alone(builder.build().families));
+    builder.add(angles_at_rest(points(lower),
+                               {{0, 1, 2}},
+                               Eigen::VectorXd::Ones(1)),
+                lower);
+    EXPECT_FALSE(has_springs_alone(builder.build().families));
   }
 
   TEST_F(TwoTriangles, VolumesKeepTheirNodes)
   {
-    builder.add_volume(lower, 7., 1.);
-    builder.add_volume(upper, 8., 1.);
-    const auto volumes = builder.build().volumes;
-    ASSERT_EQ(volumes.size(), 2u);
-    EXPECT_EQ(volumes[1].nodes, upper);
-    EXPECT_EQ(volumes[1].stiffness, 8.);
-    EXPECT_EQ(volumes[1].rest_volume, 1.);
+    for (const auto &[cell, k] : {std::pair{lower, 7.}, std::pair{upper, 8.}})
+      builder.add(volume_at_rest(points(cell), CellKind::triangle, k), cell);
+    EXPECT_EQ(found("volumes"), (Found{{lower, 7.}, {upper, 8.}}));
+    EXPECT_EQ(column("volumes", 1), (std::vector<double>{1., 1.}));
+  }
+
+  TEST_F(TwoTriangles, ConstantsAreThoseOfOneMemberAfterTheOther)
+  {
+    builder.add(volume_at_rest(points(lower), CellKind::triangle, 7.), lower);
+    const Families families = builder.build().families;
+    Eigen::VectorXd c(6);
+    c << 1., 2., -27., 20., 10., 7.;
+    EXPECT_EQ(constants_of(families), c);
+    const Families others = with_constants(families, 2. * c);
+    EXPECT_EQ(constants_of(others), 2. * c);
+    EXPECT_TRUE(all_finite(others));
+    EXPECT_THROW(with_constants(families, c.head(5)), std::logic_error);
+    c[3] = std::nan("");
+    EXPECT_FALSE(all_finite(with_constants(families, c)));
   }
 
   TEST(Network, TangentIsTheSumOfTheCells)
@@ -170,23 +259,24 @@ namespace
     for (const auto &cell : cells)
       {
         const Eigen::VectorXd k = random.matrix(28, 1);
-        builder.add_springs(cell, pairs, k);
-        Eigen::MatrixXd x(3, 8);
-        for (int v = 0; v < 8; ++v)
-          x.col(v) = nodes.col(cell[v]);
+        const Eigen::MatrixXd x = nodes(Eigen::all, cell);
+        builder.add(lengths_at_rest(x, pairs, k, SpringLaw::quadratic), cell);
         const Eigen::MatrixXd B = length_gradients(x, pairs);
         K.block<24, 24>(3 * cell[0], 3 * cell[0]) +=
           B * k.asDiagonal() * B.transpose();
       }
 
     const SpringNetwork network = builder.build();
+    ASSERT_EQ(network.families.size(), 1u);
+    const Family &family = network.families[0];
     std::vector<NodePair> springs;
-    for (std::size_t s = 0; s < network.i.size(); ++s)
-      springs.push_back({{network.i[s], network.j[s]}});
+    for (std::size_t s = 0; s < family.size(); ++s)
+      springs.push_back({{family.nodes(s)[0], family.nodes(s)[1]}});
     EXPECT_EQ(springs.size(), 28u + 28u - 6u);
     const Eigen::MatrixXd B = length_gradients(nodes, springs);
-    const Eigen::Map<const Eigen::VectorXd> k(network.stiffness.data(),
-                                              network.stiffness.size());
+    const Eigen::VectorXd k = spring_stiffness(network.families);
     EXPECT_LT((K - B * k.asDiagonal() * B.transpose()).norm(), 1e-13);
+    EXPECT_LT((Eigen::MatrixXd(tangent(network.families, nodes)) - K).norm(),
+              1e-13);
   }
 } // namespace

@@ -7,7 +7,7 @@
 #include <springfit/fit/object_fit.h>
 #include <springfit/fit/object_stability.h>
 #include <springfit/springs/network.h>
-#include <springfit/springs/network_terms.h>
+#include <springfit/springs/rest_families.h>
 #include <springfit/springs/rigid_modes.h>
 #include <springfit/springs/volume.h>
 
@@ -123,29 +123,37 @@ namespace
         couplings.push_back({a, b, 1.});
     for (const auto &cell : grid.cells)
       {
-        builder.add_springs(cell, pairs, Eigen::VectorXd::Ones(pairs.size()));
+        const Eigen::MatrixXd x = points_of(grid, cell);
+        const SpringLaw law     = SpringLaw::quadratic;
+        builder.add(
+          lengths_at_rest(x, pairs, Eigen::VectorXd::Ones(pairs.size()), law),
+          cell);
         if (terms == Terms::volumes)
-          builder.add_volume(cell,
-                             1.,
-                             volume(points_of(grid, cell), grid.kind));
+          builder.add(volume_at_rest(x, grid.kind, 1.), cell);
         if (terms == Terms::couplings)
-          builder.add_couplings(cell, pairs, couplings);
+          builder.add(couplings_at_rest(x, pairs, couplings, law), cell);
       }
     SpringNetwork network = builder.build();
-    network.stiffness.assign(network.stiffness.size(), 1.);
-    for (auto &coupling : network.couplings)
-      coupling.stiffness = 1.;
+    network.families      = with_constants(network.families,
+                                      Eigen::VectorXd::Ones(
+                                        constants_of(network.families).size()));
     return network;
   }
 
-  template <int dim>
   std::vector<EnergyTerm>
   terms_at_rest(const SpringNetwork &network)
   {
     std::vector<EnergyTerm> terms;
-    for (unsigned int t = 0; t < n_terms(network); ++t)
-      terms.push_back(*evaluate_term<dim>(
-        network, t, Eigen::MatrixXd::Zero(dim, network.nodes.cols())));
+    for (const auto &family : network.families)
+      for (std::size_t m = 0; m < family.size(); ++m)
+        {
+          const unsigned int *nodes = family.nodes(m);
+          terms.push_back(
+            {{nodes, nodes + family.kind->n_nodes()},
+             0.,
+             {},
+             family.kind->hessian(family.members, m, network.nodes)});
+        }
     return terms;
   }
 
@@ -158,12 +166,11 @@ namespace
     const SpringNetwork network = unit_network(grid, terms);
     ObjectProblem problem{grid.nodes,
                           assembled_stiffness(grid, nu),
-                          grid.nodes.rows() == 2 ? terms_at_rest<2>(network)
-                                                 : terms_at_rest<3>(network),
+                          terms_at_rest(network),
                           {}};
     problem.nonnegative.assign(problem.terms.size(), false);
     if (nonnegative)
-      for (std::size_t s = 0; s < network.stiffness.size(); ++s)
+      for (std::size_t s = 0; s < n_springs(network.families); ++s)
         problem.nonnegative[s] = true;
     return problem;
   }

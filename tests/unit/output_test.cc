@@ -4,6 +4,7 @@
 #include <springfit/output/tables.h>
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/network.h>
+#include <springfit/springs/rest_families.h>
 
 #include <gtest/gtest.h>
 
@@ -66,17 +67,21 @@ namespace
   {
     const std::vector<unsigned int> vertices = {0, 1, 2};
     const auto &pairs                        = node_pairs(CellKind::triangle);
-    NetworkBuilder builder(oracle::regular_cell(CellKind::triangle));
-    builder.add_springs(vertices, pairs, Eigen::Vector3d(1., 2., 3.));
+    const Eigen::MatrixXd x = oracle::regular_cell(CellKind::triangle);
+    const SpringLaw law     = SpringLaw::quadratic;
+    NetworkBuilder builder(x);
+    builder.add(lengths_at_rest(x, pairs, Eigen::Vector3d(1., 2., 3.), law),
+                vertices);
     write_network(folder, "f", builder.build());
     EXPECT_EQ(files(), (std::set<std::string>{"springs_f.csv"}));
 
     const double stiffness = 0.1 + 0.2; // has no short decimal
-    builder.add_couplings(vertices, pairs, {{0, 2, 5.}});
-    builder.add_angles(vertices,
-                       {{2, 1, 0}},
-                       Eigen::VectorXd::Constant(1, stiffness));
-    builder.add_volume(vertices, 7., 0.5);
+    builder.add(couplings_at_rest(x, pairs, {{0, 2, 5.}}, law), vertices);
+    builder.add(angles_at_rest(x,
+                               {{2, 1, 0}},
+                               Eigen::VectorXd::Constant(1, stiffness)),
+                vertices);
+    builder.add(volume_at_rest(x, CellKind::triangle, 7.), vertices);
     write_network(folder, "f", builder.build());
     EXPECT_EQ(files(),
               (std::set<std::string>{"angles_f.csv",
@@ -84,6 +89,15 @@ namespace
                                      "springs_f.csv",
                                      "volumes_f.csv"}));
 
+    EXPECT_EQ(lines("springs_f.csv").at(0), "i,j,k,rest_length");
+    EXPECT_EQ(lines("springs_f.csv").size(), 4u);
+    const auto couplings = lines("couplings_f.csv");
+    ASSERT_EQ(couplings.size(), 2u);
+    EXPECT_EQ(couplings[0],
+              "i_a,j_a,i_b,j_b,stiffness,rest_length_a,rest_length_b");
+    EXPECT_EQ(couplings[1].substr(0, 12), "0,1,1,2,5,1,");
+    EXPECT_NEAR(std::stod(couplings[1].substr(12)), 1., 1e-15);
+    EXPECT_EQ(lines("volumes_f.csv").at(0), "n0,n1,n2,k,rest_volume");
     const auto angles = lines("angles_f.csv");
     ASSERT_EQ(angles.size(), 2u);
     EXPECT_EQ(angles[0], "a,middle,c,k,rest_angle");

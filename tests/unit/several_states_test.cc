@@ -8,6 +8,7 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -155,25 +156,37 @@ namespace
 
   /** The constants of a model in the order of unit_energies(). */
   Eigen::VectorXd
-  constants_of(const CellModel &model, const Enrichment enrichment)
+  constants_of(const FitProblem &problem,
+               const CellModel &model,
+               const Enrichment enrichment)
   {
-    std::vector<double> c(model.k.begin(), model.k.end());
+    const Eigen::VectorXd k = model.k();
+    std::vector<double> c(k.begin(), k.end());
+    const auto append = [&](const std::string &word) {
+      const Eigen::VectorXd others = oracle::constants_of(model, word);
+      EXPECT_GT(others.size(), 0);
+      c.insert(c.end(), others.begin(), others.end());
+    };
     if (enrichment == Enrichment::volume)
-      c.push_back(model.volume_stiffness.value());
+      append("volumes");
     if (enrichment == Enrichment::angles)
-      c.insert(c.end(),
-               model.angle_stiffness.begin(),
-               model.angle_stiffness.end());
+      append("angles");
     if (enrichment == Enrichment::coupling)
       {
-        const std::size_t n = model.k.size();
+        // Models may leave out couplings of zero.
+        const std::size_t n = k.size();
         for (std::size_t a = 0; a < n; ++a)
           for (std::size_t b = a + 1; b < n; ++b)
             {
+              const auto [i_a, j_a]                 = problem.springs[a];
+              const auto [i_b, j_b]                 = problem.springs[b];
+              const std::vector<unsigned int> nodes = {i_a, j_a, i_b, j_b};
               c.push_back(0.);
-              for (const auto &coupling : model.couplings)
-                if (coupling.a == a && coupling.b == b)
-                  c.back() = coupling.stiffness;
+              for (const auto &family : model.families)
+                if (family.kind->word() == "couplings")
+                  for (std::size_t m = 0; m < family.size(); ++m)
+                    if (std::equal(nodes.begin(), nodes.end(), family.nodes(m)))
+                      c.back() = family.members.columns[0][m];
             }
       }
     return Eigen::Map<const Eigen::VectorXd>(c.data(), c.size());
@@ -309,8 +322,9 @@ namespace
                 fit_over_states(problem,
                                 make_cell_terms(problem, enrichment),
                                 0);
-              const auto equations    = brute_force(problem, enrichment);
-              const Eigen::VectorXd c = constants_of(model, enrichment);
+              const auto equations = brute_force(problem, enrichment);
+              const Eigen::VectorXd c =
+                constants_of(problem, model, enrichment);
               EXPECT_LT((c - equations.minimiser()).norm(), 1e-5 * c.norm());
               EXPECT_NEAR(residual_over_states(problem, model),
                           equations.relative_residual(c),
@@ -329,7 +343,8 @@ namespace
             problem.law           = law;
             const CellModel model = fit_coupled_over_states(problem, 0);
             const auto equations  = brute_force(problem, Enrichment::coupling);
-            const Eigen::VectorXd c = constants_of(model, Enrichment::coupling);
+            const Eigen::VectorXd c =
+              constants_of(problem, model, Enrichment::coupling);
             EXPECT_LT((c - equations.minimiser()).norm(), 1e-5 * c.norm());
           }
   }
@@ -348,8 +363,9 @@ namespace
             const CellModel model    = fit_over_states(problem, terms, n);
             const CellModel expected = make_cell_model(
               terms, fit_frobenius(terms.gradients, problem.stiffness, n));
-            const Eigen::VectorXd c = constants_of(expected, enrichment);
-            EXPECT_LT((constants_of(model, enrichment) - c).norm(),
+            const Eigen::VectorXd c =
+              constants_of(problem, expected, enrichment);
+            EXPECT_LT((constants_of(problem, model, enrichment) - c).norm(),
                       1e-10 * c.norm());
             EXPECT_NEAR(residual_over_states(problem, model),
                         residual(problem, expected).norm() /
@@ -375,17 +391,19 @@ namespace
                               terms,
                               nonnegative ? terms.n_springs : 0);
             if (nonnegative)
-              EXPECT_EQ(n_negative(best.k), 0u);
+              EXPECT_EQ(n_negative(best.families), 0u);
             const double residual = residual_over_states(problem, best);
             for (int attempt = 0; attempt < 20; ++attempt)
               {
-                CellModel other = best;
-                other.k +=
-                  1e-3 * best.k.norm() * random.matrix(best.k.size(), 1);
+                Eigen::VectorXd c = springfit::constants_of(best.families);
+                const Eigen::VectorXd best_k = best.k();
+                auto k                       = c.head(best_k.size());
+                k += 1e-3 * best_k.norm() * random.matrix(k.size(), 1);
                 if (nonnegative)
-                  other.k = other.k.cwiseMax(0.);
+                  k = k.cwiseMax(0.).eval();
                 if (enrichment == Enrichment::volume)
-                  *other.volume_stiffness *= 1. + random(-1e-3, 1e-3);
+                  c[k.size()] *= 1. + random(-1e-3, 1e-3);
+                const CellModel other{with_constants(best.families, c)};
                 EXPECT_GT(residual_over_states(problem, other), residual);
               }
           }
@@ -424,10 +442,12 @@ namespace
           // The energies are polynomials of the fourth degree: the differences
           // are exact up to rounding.
           EXPECT_LT(*result.states_residual, 1e-8);
-          const Eigen::VectorXd c =
-            constants_of(fit_coupled_cell(problem), Enrichment::coupling);
-          EXPECT_LT((constants_of(result, Enrichment::coupling) - c).norm(),
-                    1e-7 * c.norm());
+          const Eigen::VectorXd c = constants_of(problem,
+                                                 fit_coupled_cell(problem),
+                                                 Enrichment::coupling);
+          EXPECT_LT(
+            (constants_of(problem, result, Enrichment::coupling) - c).norm(),
+            1e-7 * c.norm());
 
           problem.law = SpringLaw::quadratic;
           EXPECT_GT(residual_over_states(problem, fit_coupled_cell(problem)),

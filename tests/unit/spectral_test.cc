@@ -248,7 +248,8 @@ namespace
             EXPECT_NEAR(ipopt.spectral_residual,
                         barrier.spectral_residual,
                         1e-8);
-            EXPECT_LT((ipopt.k - barrier.k).norm(), 1e-5 * barrier.k.norm());
+            EXPECT_LT((ipopt.k() - barrier.k()).norm(),
+                      1e-5 * barrier.k().norm());
           }
   }
 
@@ -263,7 +264,7 @@ namespace
         const auto barrier = fit(problem,
                                  Method::spectral,
                                  options_of(Engine::barrier, nonnegative));
-        EXPECT_LT((ipopt.k - barrier.k).cwiseAbs().maxCoeff(), 1e-6);
+        EXPECT_LT((ipopt.k() - barrier.k()).cwiseAbs().maxCoeff(), 1e-6);
       }
   }
 } // namespace
