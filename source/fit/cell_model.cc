@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 
 namespace springfit
 {
@@ -37,18 +38,22 @@ namespace springfit
     {
       for (const auto &family : model.families)
         {
+          const auto &columns = family.kind->columns();
+          if (columns[0].role != Column::Role::stiffness)
+            throw std::logic_error("'" + family.kind->word() +
+                                   "' have no stiffness to be added");
           Family &to = family_of_kind(sum, *family.kind);
           for (std::size_t m = 0; m < family.size(); ++m)
             {
               auto numbers = family.numbers(m);
-              for (std::size_t c = 0; c < numbers.size(); ++c)
-                if (family.kind->columns()[c].role == Column::Role::stiffness)
-                  for (double &stiffness : numbers[c])
-                    stiffness *= factor;
+              for (double &stiffness : numbers[0])
+                stiffness *= factor;
               const unsigned int *nodes = family.nodes(m);
               const std::size_t same    = member_with_nodes(to, nodes);
               if (same < to.size())
-                to.members.columns[0][same] += numbers[0][0];
+                for (std::size_t w = 0; w < numbers[0].size(); ++w)
+                  to.members.columns[0][numbers[0].size() * same + w] +=
+                    numbers[0][w];
               else
                 to.add({nodes, nodes + family.kind->n_nodes()}, numbers);
             }

@@ -1,7 +1,13 @@
 #include <springfit/core/error.h>
 #include <springfit/fit/fit.h>
+#include <springfit/springs/point_volumes.h>
+#include <springfit/springs/rest_families.h>
+#include <springfit/springs/volumes.h>
 
 #include <gtest/gtest.h>
+
+#include <numeric>
+#include <stdexcept>
 
 #include "fits.h"
 
@@ -207,6 +213,60 @@ namespace
           EXPECT_GE(*found.smallest_eigenvalue, -1e-10);
         }
   }
+
+
+  // Models between two others.
+
+  /** What one of them lacks counts as zero. */
+  TEST(CellModel, BetweenTwoOthersHasTheMeanOfTheirEnergies)
+  {
+    Random random(33);
+    for (const CellKind kind : {CellKind::quadrilateral, CellKind::hexahedron})
+      {
+        const auto problem       = oracle::random_problem(kind, random);
+        const Eigen::MatrixXd &x = problem.points;
+        const auto springs       = [&] {
+          return lengths_at_rest(x,
+                                 problem.springs,
+                                 random.matrix(problem.springs.size(), 1),
+                                 SpringLaw::quadratic);
+        };
+        std::vector<unsigned int> vertices(x.cols());
+        std::iota(vertices.begin(), vertices.end(), 0);
+        const auto of_points = [&] {
+          Family family(point_volumes(kind));
+          const Eigen::VectorXd k = random.matrix(x.cols(), 1);
+          family.add(vertices,
+                     {{k.begin(), k.end()},
+                      std::vector<double>(x.cols(), 0.1)});
+          return family;
+        };
+        const CellModel a{{springs(), of_points()}};
+        const CellModel b{
+          {of_points(), springs(), volume_at_rest(x, kind, 2.)}};
+        const double t     = 0.3;
+        const CellModel ab = between(a, b, t);
+        EXPECT_EQ(ab.families.size(), 3u);
+        EXPECT_LT((ab.k() - ((1. - t) * a.k() + t * b.k())).norm(), 1e-15);
+        for (int repetition = 0; repetition < 5; ++repetition)
+          {
+            const Eigen::MatrixXd y =
+              x + 0.1 * random.matrix(x.rows(), x.cols());
+            EXPECT_NEAR(energy(ab.families, y),
+                        (1. - t) * energy(a.families, y) +
+                          t * energy(b.families, y),
+                        1e-14);
+          }
+        EXPECT_EQ(energy(between(a, b, 0.).families, x), energy(a.families, x));
+
+        // There is no stiffness to take the mean of.
+        Family logarithmic(logarithmic_volumes(kind));
+        logarithmic.add(vertices, {{1.}, {1.}, {1.}});
+        EXPECT_THROW(between({{logarithmic}}, {{logarithmic}}, t),
+                     std::logic_error);
+      }
+  }
+
 
   TEST(Fit, Words)
   {

@@ -20,7 +20,12 @@ namespace springfit
     k() const;
   };
 
-  /** (1 - t) a + t b: what both have is added up by stiffness. */
+  /**
+   * (1 - t) a + t b: what both have is added up by stiffness.
+   *
+   * @throws std::logic_error for springs without a stiffness, whose first
+   * column is something else.
+   */
   CellModel
   between(const CellModel &a, const CellModel &b, double t);
 } // namespace springfit
