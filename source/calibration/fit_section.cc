@@ -20,6 +20,16 @@ namespace springfit
       return join(words, " and ");
     }
 
+    std::string
+    nonlinear_law_words()
+    {
+      std::vector<std::string> words;
+      for (const auto &[law, word] : material_law_words())
+        if (law != MaterialLaw::linear)
+          words.push_back(word);
+      return join(words, " or ");
+    }
+
     /** @throws EntryError when there is no such fit of the whole object. */
     void
     check_object_scope(const Method method)
@@ -215,15 +225,11 @@ namespace springfit
   FitSection<dim>::check_states(const MaterialLaw law) const
   {
     if (has_states() && law == MaterialLaw::linear)
-      throw EntryError(
-        "Fit/States",
-        "with the 'Material law' linear of section Response "
-        "the finite elements are the same in every state.",
-        "Set that to " +
-          join({word_of(material_law_words(), MaterialLaw::st_venant_kirchhoff),
-                word_of(material_law_words(), MaterialLaw::neo_hookean)},
-               " or ") +
-          ", or leave 'States' empty.");
+      throw EntryError("Fit/States",
+                       "with the 'Material law' linear of section Response "
+                       "the finite elements are the same in every state.",
+                       "Set that to " + nonlinear_law_words() +
+                         ", or leave 'States' empty.");
   }
 
   template <int dim>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace springfit
 {
@@ -28,31 +29,18 @@ namespace springfit
                    const Tensor<dim> &F,
                    const CellMaterial &material)
     {
-      return law == MaterialLaw::st_venant_kirchhoff
-               ? st_venant_kirchhoff<dim>(F, material.lame)
-               : neo_hookean_of<dim>(F, material);
-    }
-
-    /** B: the change of Green's strain in Voigt's order is B delta u. */
-    template <int dim>
-    Eigen::MatrixXd
-    strain_gradients(const Tensor<dim> &F, const Eigen::MatrixXd &gradients)
-    {
-      constexpr int n_voigt = MaterialState<dim>::n_voigt;
-      Eigen::MatrixXd B(n_voigt, dim * gradients.cols());
-      for (Eigen::Index a = 0; a < gradients.cols(); ++a)
-        for (int i = 0; i < dim; ++i)
-          {
-            for (int k = 0; k < dim; ++k)
-              B(k, dim * a + i) = F(i, k) * gradients(k, a);
-            for (int k = 0; k < n_voigt - dim; ++k)
-              {
-                const int l = (k + 1) % dim;
-                B(dim + k, dim * a + i) =
-                  F(i, k) * gradients(l, a) + F(i, l) * gradients(k, a);
-              }
-          }
-      return B;
+      switch (law)
+        {
+          case MaterialLaw::st_venant_kirchhoff:
+            return st_venant_kirchhoff<dim>(F, material.lame);
+          case MaterialLaw::neo_hookean:
+            return neo_hookean_of<dim>(F, material);
+          case MaterialLaw::stable_neo_hookean:
+            return stable_neo_hookean<dim>(F, material.lame);
+          case MaterialLaw::linear:
+            break;
+        }
+      throw std::logic_error("the linear law has no hyperelastic state");
     }
   } // namespace
 
@@ -111,31 +99,25 @@ namespace springfit
     term.gradient = Eigen::VectorXd::Zero(dim * n);
     term.hessian  = Eigen::MatrixXd::Zero(dim * n, dim * n);
 
-    Eigen::MatrixXd gradients(dim, n);
+    // G: the change of F, in columns, is G delta u.
+    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(dim * dim, dim * n);
     for (const unsigned int q : values_.quadrature_point_indices())
       {
-        const Tensor<dim> F = deformation_gradient(displacement, q);
-        const auto state    = material_state<dim>(law_, F, material);
+        const auto state =
+          material_state<dim>(law_,
+                              deformation_gradient(displacement, q),
+                              material);
         if (!state)
           return {};
         for (unsigned int a = 0; a < n; ++a)
-          for (int d = 0; d < dim; ++d)
-            gradients(d, a) = values_.shape_grad(a, q)[d];
+          for (int i = 0; i < dim; ++i)
+            for (int k = 0; k < dim; ++k)
+              G(i + dim * k, dim * a + i) = values_.shape_grad(a, q)[k];
 
-        const double weight     = values_.JxW(q) * material.thickness;
-        const Eigen::MatrixXd B = strain_gradients<dim>(F, gradients);
-        const Eigen::MatrixXd forces =
-          weight * F * state->stress * gradients; // dim x n
-        const Eigen::MatrixXd stress_stiffness =
-          weight * gradients.transpose() * state->stress * gradients;
-
+        const double weight = values_.JxW(q) * material.thickness;
         term.energy += weight * state->energy;
-        term.gradient += forces.reshaped();
-        term.hessian += weight * B.transpose() * state->tangent * B;
-        for (unsigned int a = 0; a < n; ++a)
-          for (unsigned int b = 0; b < n; ++b)
-            for (int d = 0; d < dim; ++d)
-              term.hessian(dim * a + d, dim * b + d) += stress_stiffness(a, b);
+        term.gradient += weight * G.transpose() * state->stress.reshaped();
+        term.hessian += weight * G.transpose() * state->tangent * G;
       }
     return term;
   }

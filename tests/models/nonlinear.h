@@ -20,8 +20,10 @@
 
 namespace springfit::oracle
 {
-  inline constexpr MaterialLaw hyperelastic[] =
-    {MaterialLaw::st_venant_kirchhoff, MaterialLaw::neo_hookean};
+  inline constexpr MaterialLaw hyperelastic[] = {
+    MaterialLaw::st_venant_kirchhoff,
+    MaterialLaw::neo_hookean,
+    MaterialLaw::stable_neo_hookean};
 
   inline CellMaterial
   solid_material(const double E, const double nu)

@@ -95,6 +95,45 @@ TEST(NonlinearFiniteElements, SimplicesAreConsistentToo)
     }
 }
 
+namespace
+{
+  template <int dim>
+  void
+  check_inverted_cells()
+  {
+    Random random(29);
+    const auto mesh    = distorted_box<dim>(random);
+    const auto element = make_element<dim>(mesh->cell_kind);
+    const auto nodes   = nodes_of(*mesh);
+    const FiniteElementBody<dim> body(*mesh,
+                                      element,
+                                      {{0, usual_material<dim>(1e4, 0.3)}},
+                                      MaterialLaw::stable_neo_hookean);
+    const auto n_cells = mesh->triangulation.n_active_cells();
+
+    // Pressed into a plane, mirrored, and in disorder.
+    Eigen::MatrixXd flat = Eigen::MatrixXd::Zero(dim, nodes.cols());
+    flat.row(0)          = -nodes.row(0);
+    const Eigen::MatrixXd jumbled =
+      random_matrix(dim, nodes.cols(), 0.02, random);
+    const auto n_inverted = [&](const Eigen::MatrixXd &u) {
+      return n_inverted_cells(*mesh, element, u);
+    };
+    EXPECT_EQ(n_inverted(flat), n_cells);
+    EXPECT_EQ(n_inverted(2. * flat), n_cells);
+    EXPECT_GT(n_inverted(jumbled), 0u);
+    check_derivatives(body, flat, 0.01, random);
+    check_derivatives(body, 2. * flat, 0.01, random);
+    check_derivatives(body, jumbled, 0.01, random);
+  }
+} // namespace
+
+TEST(NonlinearFiniteElements, StableNeoHookeanCellsMayBeInverted)
+{
+  check_inverted_cells<2>();
+  check_inverted_cells<3>();
+}
+
 TEST(NonlinearFiniteElements, UniaxialNeoHookeanStress)
 {
   Random random(24);

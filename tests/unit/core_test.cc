@@ -1,6 +1,7 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/core/cell_kind.h>
 #include <springfit/core/number_list.h>
+#include <springfit/core/plane_stress.h>
 #include <springfit/core/words.h>
 
 #include <gtest/gtest.h>
@@ -202,5 +203,28 @@ namespace
                                    "0.3 Pa"})
       EXPECT_THROW(uniform(text), EntryError) << text;
     EXPECT_THROW(logarithmic("0 to 1 in 2"), EntryError);
+  }
+
+  TEST(PlaneStress, TheStretchAcrossLeavesNoStress)
+  {
+    const double mu = 0.8;
+    for (const double nu : {0., 0.3, 0.49})
+      for (const double log_J_plane : {-2., -0.3, 0., 0.5, 3.})
+        {
+          const double lambda       = 2. * mu * nu / (1. - 2. * nu);
+          const double lambda_plane = 2. * lambda * mu / (lambda + 2. * mu);
+          const auto c = squared_stretch_across(log_J_plane, lambda_plane, mu);
+          ASSERT_TRUE(c);
+          EXPECT_NEAR(mu * (*c - 1.) +
+                        lambda * (log_J_plane + 0.5 * std::log(*c)),
+                      0.,
+                      1e-12 * (lambda + mu));
+        }
+    // The limit nu = 0.5 keeps the volume.
+    EXPECT_NEAR(*squared_stretch_across(std::log(2.), 2. * mu, mu),
+                0.25,
+                1e-14);
+    // Auxetic sheets have no such stretch under much compression.
+    EXPECT_FALSE(squared_stretch_across(-10., -0.5 * mu, mu));
   }
 } // namespace

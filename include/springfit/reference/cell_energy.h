@@ -30,7 +30,8 @@ namespace springfit
 
     /**
      * @param displacement dim x n_vertices, m
-     * @return nothing where the law has no energy: material turned inside out.
+     * @return nothing where the law has no energy: of the neo-Hookean law,
+     * where material is turned inside out.
      */
     std::optional<EnergyTerm>
     evaluate(const Cell &cell,

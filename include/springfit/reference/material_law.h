@@ -18,7 +18,8 @@ namespace springfit
   {
     linear,              // small strains, small rotations
     st_venant_kirchhoff, // linear between Green's strain and S
-    neo_hookean          // compressible, after Simo and Pister (1984)
+    neo_hookean,         // compressible, after Simo and Pister (1984)
+    stable_neo_hookean   // finite for every F, after Smith et al. (2018)
   };
 
   const WordTable<MaterialLaw> &
@@ -26,19 +27,18 @@ namespace springfit
 
 
   /**
-   * The state of a hyperelastic material at a point, total Lagrangian.
-   *
-   * Voigt's order is 11, 22, 12 in 2-d and 11, 22, 33, 12, 23, 31 in 3-d;
-   * @p tangent acts on strains with doubled shear components.
+   * The state of a hyperelastic material at a point, total Lagrangian. F and
+   * P, as vectors, are in columns: entry i + dim k is component (i, k).
    */
   template <int dim>
   struct MaterialState
   {
-    static constexpr int n_voigt = dim * (dim + 1) / 2;
+    static constexpr int n_components = dim * dim;
 
     double energy;                          // J/m^3
-    Eigen::Matrix<double, dim, dim> stress; // S in Pa, 2nd Piola-Kirchhoff
-    Eigen::Matrix<double, n_voigt, n_voigt> tangent; // dS/dE in Pa
+    Eigen::Matrix<double, dim, dim> stress; // P in Pa, 1st Piola-Kirchhoff
+    Eigen::Matrix<double, n_components, n_components>
+      tangent; // dP/dF in Pa, symmetric
   };
 
   /**
@@ -68,6 +68,21 @@ namespace springfit
    */
   std::optional<MaterialState<2>>
   neo_hookean_plane_stress(const Eigen::Matrix2d &F, const LameConstants &lame);
+
+  /**
+   * The energy mu (F:F - dim) / 2 - mu (J - 1) + (lambda + mu) (J - 1)^2 / 2:
+   * B. Smith, F. de Goes, T. Kim, "Stable neo-Hookean flesh simulation", ACM
+   * Transactions on Graphics 37 (2018), without the logarithm, and with the
+   * Lame constants of the tangent at rest. A polynomial of F: finite, and
+   * smooth, also where det F <= 0.
+   *
+   * In the plane it is a law of its own with the lambda of @p lame. In plane
+   * stress it agrees with the law in 3-d at small strains only.
+   */
+  template <int dim>
+  MaterialState<dim>
+  stable_neo_hookean(const Eigen::Matrix<double, dim, dim> &F,
+                     const LameConstants &lame);
 } // namespace springfit
 
 #endif
