@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "calibrated.h"
@@ -287,10 +288,14 @@ TEST(Calibration, OverStatesSuitsThem)
   for (int v = 0; v < 12; ++v)
     u.col(v) << 0.3 * mesh->triangulation.get_vertices()[v][0], 0., 0.;
 
-  for (const MaterialLaw law : {MaterialLaw::st_venant_kirchhoff,
-                                MaterialLaw::neo_hookean,
-                                MaterialLaw::stable_neo_hookean})
+  // Springs alone gain 3 % only with the stable law, at least 12 % otherwise.
+  using Bound = std::pair<MaterialLaw, double>;
+  for (const auto &[material_law, bound] :
+       {Bound(MaterialLaw::st_venant_kirchhoff, 0.9),
+        Bound(MaterialLaw::neo_hookean, 0.9),
+        Bound(MaterialLaw::stable_neo_hookean, 0.98)})
     {
+      const MaterialLaw law = material_law; // for the lambda below
       const Eigen::MatrixXd R =
         deformed_stiffness(*mesh, two_materials(), law, u);
       for (const std::string enrichment : {"none", "volume", "coupling"})
@@ -309,7 +314,7 @@ TEST(Calibration, OverStatesSuitsThem)
                      .norm() /
                    R.norm();
           };
-          EXPECT_LT(error(" set States = stretch x 1.3\n"), 0.9 * error(""));
+          EXPECT_LT(error(" set States = stretch x 1.3\n"), bound * error(""));
         }
     }
 }

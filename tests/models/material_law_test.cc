@@ -43,13 +43,17 @@ namespace
   {
     using Tensor = Eigen::Matrix<double, dim, dim>;
     Tensor F     = random_matrix(dim, dim, 1., random);
-    while (std::abs(F.determinant()) < 0.1)
+    while (std::abs(F.determinant()) < 0.3)
       F = random_matrix(dim, dim, 1., random);
     if (J == 0.)
       F.col(0) = F.rightCols(dim - 1) *
                  random_matrix(dim - 1, 1, 1., random); // of rank dim - 1
     else
-      F.col(0) *= J / F.determinant();
+      {
+        F *= std::pow(std::abs(J / F.determinant()), 1. / dim);
+        if (J * F.determinant() < 0.)
+          F.col(0) *= -1.;
+      }
     return F;
   }
 } // namespace
