@@ -65,18 +65,9 @@ namespace springfit
               const SpringNetwork &network);
 
   /**
-   * The constants of a network called @p name:
-   *
-   * springs_<name>.csv `i,j,k,rest_length`: node numbers from 0, N/m, m;
-   *
-   * couplings_<name>.csv `a,b,stiffness`, if it has any: rows of the springs'
-   * table from 0, N/m;
-   *
-   * angles_<name>.csv `a,middle,c,k,rest_angle`, if it has any: node numbers,
-   * N m (per rad^2), rad;
-   *
-   * volumes_<name>.csv `n0,n1,...,k,rest_volume`, if it has any: the nodes of
-   * each cell in deal.II's numbering, N/m^5 (2-d N/m^3), m^3 (2-d m^2).
+   * The families of a network called @p name, each in <word>_<name>.csv with
+   * the word of its kind: the nodes of a member from 0 on, then its columns,
+   * which are as many as they are wide. Headers of the kinds describe them.
    */
   void
   write_network(const std::filesystem::path &folder,
