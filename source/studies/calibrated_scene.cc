@@ -238,9 +238,8 @@ namespace springfit
              fit_rows<dim>(network, calibrated.mesh->cell_kind))
           rows.push_back(row);
       }
-    session.print(
-      "Spring law: " +
-      word_of(spring_law_words(), scene.fit.spring_law()));
+    session.print("Spring law: " +
+                  word_of(spring_law_words(), scene.fit.spring_law()));
     report_homogenised(scene, calibrated, session);
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");

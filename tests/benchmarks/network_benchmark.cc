@@ -1,12 +1,13 @@
 // Time of the forces of a network, of its tangent times a vector without a
 // matrix, and of the entries of its tangent: the price of an explicit step in
 // time, of an iteration of an implicit one, and of a step of Newton's method.
-// Per cell of regular meshes of at least 10^5 cells, which no cache holds, whose
-// cells share springs and angles (hexahedra with all couplings: 4096 cells).
+// Per cell of regular meshes of at least 10^5 cells, which no cache holds,
+// whose cells share springs and angles (hexahedra with all couplings: 4096
+// cells).
 //
-// Names are what/cells/model/law; families/cells/word/ has the forces of a single
-// family with its members and bytes per second, triad the memory's own speed
-// (McCalpin's STREAM, a = b + s c).
+// Names are what/cells/model/law; families/cells/word/ has the forces of a
+// single family with its members and bytes per second, triad the memory's own
+// speed (McCalpin's STREAM, a = b + s c).
 
 #include <springfit/core/words.h>
 #include <springfit/fit/cell_terms.h>
@@ -124,10 +125,10 @@ namespace
         const std::string name =
           "stable neo-hookean, " +
           (law == VolumeLaw::quadratic ? std::string() : word + " ");
-        all.push_back({name + "volume", [law = law](const FitProblem &problem) {
-                         return fit_stable_neo_hookean_volume(problem, law)
-                           .families;
-                       }});
+        all.push_back(
+          {name + "volume", [law = law](const FitProblem &problem) {
+             return fit_stable_neo_hookean_volume(problem, law).families;
+           }});
         if (!is_simplex(kind))
           all.push_back(
             {name + "point volumes", [law = law](const FitProblem &problem) {
@@ -148,7 +149,9 @@ namespace
   };
 
   Example
-  make_example(const CellKind kind, const NamedModel &model, const SpringLaw law)
+  make_example(const CellKind kind,
+               const NamedModel &model,
+               const SpringLaw law)
   {
     const Grid grid = make_grid(kind, cells_along_an_edge(kind, model.name));
     NetworkBuilder builder(grid.nodes);
@@ -283,8 +286,8 @@ namespace
   void
   register_models(const CellKind kind)
   {
-    using Work = std::pair<const char *,
-                           void (*)(benchmark::State &, const Example &)>;
+    using Work =
+      std::pair<const char *, void (*)(benchmark::State &, const Example &)>;
     const std::string cells = word_of(cell_kind_words(), kind);
     for (const auto &model : models(kind))
       for (const auto &[law, law_word] : spring_law_words())

@@ -276,6 +276,7 @@ namespace
                                         "spectral",
                                         "consistent",
                                         "compliance",
+                                        "stable neo-hookean",
                                         "gelder",
                                         "lloyd",
                                         "baudet",
