@@ -2,8 +2,8 @@
 #include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/object_calibration.h>
 #include <springfit/core/collective.h>
-#include <springfit/fit/cell_terms.h>
-#include <springfit/fit/object_stability.h>
+#include <springfit/fit/cell/cell_terms.h>
+#include <springfit/fit/object/object_stability.h>
 
 #include <chrono>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include <springfit/calibration/object_scope.h>
 #include <springfit/core/error.h>
-#include <springfit/fit/compliance.h>
+#include <springfit/fit/object/compliance.h>
 #include <springfit/fit/displacement_fields.h>
-#include <springfit/fit/free_body.h>
-#include <springfit/fit/object_fit.h>
+#include <springfit/fit/object/free_body.h>
+#include <springfit/fit/object/object_fit.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/springs/network.h>
 

@@ -1,6 +1,6 @@
-#include <springfit/fit/baudet.h>
-#include <springfit/fit/golec.h>
-#include <springfit/fit/lloyd.h>
+#include <springfit/fit/cell/baudet.h>
+#include <springfit/fit/cell/golec.h>
+#include <springfit/fit/cell/lloyd.h>
 #include <springfit/fit/methods.h>
 
 #include <algorithm>

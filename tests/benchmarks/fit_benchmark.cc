@@ -2,11 +2,11 @@
 // counterpart of Table 2 of Natsupakpong and Cavusoglu 2010 (0.08 to 3 s per
 // element for Frobenius' norm, 1.7 to 29 s for the 2-norm).
 
-#include <springfit/fit/barrier_engine.h>
-#include <springfit/fit/block.h>
-#include <springfit/fit/consistent.h>
+#include <springfit/fit/cell/barrier_engine.h>
+#include <springfit/fit/cell/block.h>
+#include <springfit/fit/cell/consistent.h>
 #include <springfit/fit/fit.h>
-#include <springfit/fit/frobenius.h>
+#include <springfit/fit/cell/frobenius.h>
 
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 // method of cells.
 
 #include <springfit/core/error.h>
-#include <springfit/fit/bounded_least_squares.h>
-#include <springfit/fit/nonnegative_least_squares.h>
+#include <springfit/fit/programs/bounded_least_squares.h>
+#include <springfit/fit/programs/nonnegative_least_squares.h>
 
 #include <gtest/gtest.h>
 

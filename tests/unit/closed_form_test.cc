@@ -1,8 +1,8 @@
-#include <springfit/fit/block.h>
+#include <springfit/fit/cell/block.h>
 #include <springfit/fit/fit.h>
-#include <springfit/fit/frobenius.h>
-#include <springfit/fit/nonnegative_least_squares.h>
-#include <springfit/fit/spectral.h>
+#include <springfit/fit/cell/frobenius.h>
+#include <springfit/fit/programs/nonnegative_least_squares.h>
+#include <springfit/fit/cell/spectral.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The patch test of a cell: what every fit with every enrichment does in a
 // field of constant strain, against what theory predicts.
 
-#include <springfit/fit/consistent.h>
+#include <springfit/fit/cell/consistent.h>
 #include <springfit/fit/fit.h>
 #include <springfit/springs/rigid_modes.h>
 #include <springfit/springs/volume.h>

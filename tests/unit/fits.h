@@ -4,7 +4,7 @@
 // What the tests of the fits share.
 
 #include <springfit/fit/fit.h>
-#include <springfit/fit/spectral.h>
+#include <springfit/fit/cell/spectral.h>
 #include <springfit/springs/network.h>
 
 #include <string>

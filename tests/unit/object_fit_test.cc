@@ -1,11 +1,11 @@
 // Fits of all springs of an object at once, against dense linear algebra.
 
 #include <springfit/core/error.h>
-#include <springfit/fit/compliance.h>
+#include <springfit/fit/object/compliance.h>
 #include <springfit/fit/displacement_fields.h>
-#include <springfit/fit/free_body.h>
-#include <springfit/fit/object_fit.h>
-#include <springfit/fit/object_stability.h>
+#include <springfit/fit/object/free_body.h>
+#include <springfit/fit/object/object_fit.h>
+#include <springfit/fit/object/object_stability.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/rest_families.h>
 #include <springfit/springs/rigid_modes.h>

@@ -1,13 +1,13 @@
 // The published fits against the fits of this program, the element's stiffness
 // and the materials that their authors promise.
 
-#include <springfit/fit/baudet.h>
-#include <springfit/fit/delingette.h>
+#include <springfit/fit/cell/baudet.h>
+#include <springfit/fit/cell/delingette.h>
 #include <springfit/fit/fit.h>
-#include <springfit/fit/gelder.h>
-#include <springfit/fit/golec.h>
-#include <springfit/fit/lloyd.h>
-#include <springfit/fit/regularity.h>
+#include <springfit/fit/cell/gelder.h>
+#include <springfit/fit/cell/golec.h>
+#include <springfit/fit/cell/lloyd.h>
+#include <springfit/fit/cell/regularity.h>
 #include <springfit/springs/volume.h>
 
 #include <gtest/gtest.h>

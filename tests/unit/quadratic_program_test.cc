@@ -2,9 +2,9 @@
 // minimiser must satisfy.
 
 #include <springfit/core/error.h>
-#include <springfit/fit/ipopt_quadratic.h>
-#include <springfit/fit/nonnegative_least_squares.h>
-#include <springfit/fit/quadratic_program.h>
+#include <springfit/fit/programs/ipopt_quadratic.h>
+#include <springfit/fit/programs/nonnegative_least_squares.h>
+#include <springfit/fit/programs/quadratic_program.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include <springfit/calibration/states.h>
 #include <springfit/core/error.h>
-#include <springfit/fit/coupled_cell.h>
-#include <springfit/fit/frobenius.h>
-#include <springfit/fit/several_states.h>
+#include <springfit/fit/cell/coupled_cell.h>
+#include <springfit/fit/cell/frobenius.h>
+#include <springfit/fit/cell/several_states.h>
 #include <springfit/springs/negative.h>
 
 #include <Eigen/SVD>

@@ -1,8 +1,8 @@
-#include <springfit/fit/barrier_engine.h>
-#include <springfit/fit/certificate.h>
+#include <springfit/fit/cell/barrier_engine.h>
+#include <springfit/fit/cell/certificate.h>
 #include <springfit/fit/fit.h>
-#include <springfit/fit/ipopt_engine.h>
-#include <springfit/fit/spectral.h>
+#include <springfit/fit/cell/ipopt_engine.h>
+#include <springfit/fit/cell/spectral.h>
 
 #include <gtest/gtest.h>
 

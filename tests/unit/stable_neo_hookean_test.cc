@@ -2,7 +2,7 @@
 // rest, and at large deformation that of their law.
 
 #include <springfit/fit/fit.h>
-#include <springfit/fit/stable_neo_hookean.h>
+#include <springfit/fit/cell/stable_neo_hookean.h>
 #include <springfit/springs/cell_quadrature.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/rigid_modes.h>

@@ -3,7 +3,7 @@
 
 #include <springfit/core/words.h>
 #include <springfit/fit/fit.h>
-#include <springfit/fit/object_problem.h>
+#include <springfit/fit/object/object_problem.h>
 #include <springfit/mesh/mesh.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>

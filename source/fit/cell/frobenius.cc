@@ -1,0 +1,29 @@
+#include <springfit/fit/cell/frobenius.h>
+#include <springfit/fit/programs/nonnegative_least_squares.h>
+
+namespace springfit
+{
+  Eigen::MatrixXd
+  tangent_gram(const Eigen::MatrixXd &B)
+  {
+    return (B.transpose() * B).cwiseAbs2();
+  }
+
+
+  Eigen::VectorXd
+  tangent_products(const Eigen::MatrixXd &B, const Eigen::MatrixXd &R)
+  {
+    return B.cwiseProduct(R * B).colwise().sum();
+  }
+
+
+  Eigen::VectorXd
+  fit_frobenius(const Eigen::MatrixXd &B,
+                const Eigen::MatrixXd &R,
+                const Eigen::Index n_nonnegative)
+  {
+    return nonnegative_least_squares(tangent_gram(B),
+                                     tangent_products(B, R),
+                                     n_nonnegative);
+  }
+} // namespace springfit
