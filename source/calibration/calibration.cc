@@ -34,7 +34,7 @@ namespace springfit
     count_unmet_assumptions(const DistinctCells &cells,
                             const Mesh<dim> &mesh,
                             const MaterialTable &materials,
-                            const Method method)
+                            const Method &method)
     {
       const auto iterators = cells_by_index(mesh);
       std::map<std::string, unsigned int> counts;
@@ -56,13 +56,12 @@ namespace springfit
                         const MaterialTable &materials,
                         Session &session)
     {
-      std::set<Method> methods;
+      std::set<const Method *> methods;
       for (const auto &row : section.rows(mesh.cell_kind))
         if (methods.insert(row.method).second)
-          for (const auto &[assumption, n_cells] :
-               count_unmet_assumptions<dim>(cells, mesh, materials, row.method))
-            session.warn("The constants of '" +
-                         word_of(method_words(), row.method) +
+          for (const auto &[assumption, n_cells] : count_unmet_assumptions<dim>(
+                 cells, mesh, materials, *row.method))
+            session.warn("The constants of '" + row.method->word +
                          "' are published for " + assumption + ", which " +
                          std::to_string(n_cells) + " of " +
                          std::to_string(cells.copies.size()) +
@@ -96,7 +95,7 @@ namespace springfit
                     const Mesh<dim> &mesh,
                     const Element<dim> &element,
                     const MaterialTable &materials,
-                    const Method method,
+                    const Method &method,
                     const FitOptions &options,
                     const ReferenceStates &states,
                     const std::string &name,
@@ -122,8 +121,8 @@ namespace springfit
       if (options.enrichment != Enrichment::none)
         warn_of_indefinite_cells(fits, name, session);
       const unsigned int n = n_negative(fitted.network.families);
-      if (options.nonnegative && has_formulas(method) &&
-          !is_finite_element(method) && n > 0)
+      if (options.nonnegative && has(method, Feature::formulas) &&
+          !has(method, Feature::finite_element) && n > 0)
         session.warn("Of the springs of '" + name + "' " + std::to_string(n) +
                      " are negative: 'Nonnegative' does not change the "
                      "constants of a published fit.");
@@ -167,7 +166,7 @@ namespace springfit
     bool is_explained = false;
     for (const auto &row : section.rows(mesh.cell_kind))
       {
-        const std::string fit        = name_of(row.method);
+        const std::string fit        = name_of(*row.method);
         const std::string enrichment = name_of(row.enrichment);
         const std::string name       = name_of(fit, enrichment);
 
@@ -180,7 +179,7 @@ namespace springfit
                                mesh,
                                element,
                                materials,
-                               row.method,
+                               *row.method,
                                section.options(row),
                                section.spring_law(),
                                section.fields(),
@@ -191,19 +190,19 @@ namespace springfit
                               mesh,
                               element,
                               materials,
-                              row.method,
+                              *row.method,
                               section.options(row),
                               {section.states(), law, section.spring_law()},
                               name,
                               session);
-        if (is_finite_element(row.method) && !is_explained)
+        if (has(*row.method, Feature::finite_element) && !is_explained)
           is_explained = explain_negative_springs(fitted.network, session);
         networks.push_back({std::move(fitted),
                             name,
                             fit,
                             enrichment,
                             section.scope(),
-                            is_finite_element(row.method),
+                            has(*row.method, Feature::finite_element),
                             timer.wall_time()});
       }
     return networks;

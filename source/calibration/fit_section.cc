@@ -15,8 +15,9 @@ namespace springfit
     object_words()
     {
       std::vector<std::string> words;
-      for (const Method method : object_methods())
-        words.push_back(word_of(method_words(), method));
+      for (const auto &[method, word] : method_words())
+        if (method->fit_object)
+          words.push_back(word);
       return join(words, " and ");
     }
 
@@ -32,35 +33,24 @@ namespace springfit
 
     /** @throws EntryError when there is no such fit of the whole object. */
     void
-    check_object_scope(const Method method)
+    check_object_scope(const Method &method)
     {
-      const auto &known = object_methods();
-      if (std::find(known.begin(), known.end(), method) == known.end())
+      if (!method.fit_object)
         throw EntryError(
           "Fit/Scope",
-          "the fit '" + word_of(method_words(), method) +
-            "' is one of single cells.",
+          "the fit '" + method.word + "' is one of single cells.",
           "Set 'Scope = cell', or for the whole object 'Methods' "
           "to " +
             object_words() + '.');
     }
-    /** Whether any row is of the consistent fit. */
-    template <typename Row>
-    bool
-    any_consistent(const std::vector<Row> &rows)
-    {
-      return std::any_of(rows.begin(), rows.end(), [](const Row &row) {
-        return row.method == Method::consistent;
-      });
-    }
 
-    /** Whether any row has volumes under pressure. */
+    /** Whether the fit of any row has it. */
     template <typename Row>
     bool
-    any_under_pressure(const std::vector<Row> &rows)
+    any_has(const std::vector<Row> &rows, const Feature feature)
     {
-      return std::any_of(rows.begin(), rows.end(), [](const Row &row) {
-        return is_finite_element(row.method);
+      return std::any_of(rows.begin(), rows.end(), [&](const Row &row) {
+        return has(*row.method, feature);
       });
     }
   } // namespace
@@ -192,7 +182,7 @@ namespace springfit
     if (scope_ != Scope::object)
       return false;
     const auto wanted = fields();
-    return any_consistent(rows()) &&
+    return any_has(rows(), Feature::fields) &&
            std::find(wanted.begin(), wanted.end(), Field::responses) !=
              wanted.end();
   }
@@ -268,25 +258,20 @@ namespace springfit
     const auto enrichments =
       values_of(enrichment_words(), enrichments_word_, "Fit/Enrichment");
     std::vector<Row> rows;
-    for (const Method method : methods)
+    for (const Method *method : methods)
       {
         if (scope_ == Scope::object)
-          check_object_scope(method);
-        const auto &known   = enrichments_of(method);
-        const auto n_rows   = rows.size();
-        const auto is_known = [&](const Enrichment enrichment) {
-          return std::find(known.begin(), known.end(), enrichment) !=
-                 known.end();
-        };
+          check_object_scope(*method);
+        const auto n_rows = rows.size();
         for (const Enrichment enrichment : enrichments)
-          if (is_known(enrichment))
+          if (suits(*method, enrichment))
             rows.push_back({method, enrichment});
         if (rows.size() == n_rows)
           {
             std::vector<std::string> words;
-            for (const Enrichment enrichment : known)
+            for (const Enrichment enrichment : method->enrichments)
               words.push_back(word_of(enrichment_words(), enrichment));
-            const std::string fit = word_of(method_words(), method);
+            const std::string &fit = method->word;
             throw EntryError("Fit/Enrichment",
                              "the fit '" + fit + "' does not have '" +
                                enrichments_word_ + "'.",
@@ -321,35 +306,29 @@ namespace springfit
   void
   FitSection<dim>::check_cells(const CellKind kind) const
   {
-    const auto suits = [](const Method method, const CellKind cells) {
-      const auto &known = cells_of(method);
-      return std::find(known.begin(), known.end(), cells) != known.end();
-    };
     for (const auto &row : rows())
-      if (!suits(row.method, kind))
+      if (!suits(*row.method, kind))
         {
           std::vector<std::string> fits, cells;
           for (const auto &[method, word] : method_words())
-            if (suits(method, kind))
+            if (suits(*method, kind))
               fits.push_back(word);
-          for (const CellKind known : cells_of(row.method))
+          for (const CellKind known : row.method->cells)
             cells.push_back(word_of(cell_kind_words(), known));
           const std::string mesh_cells = word_of(cell_kind_words(), kind);
-          throw EntryError("Fit/Methods",
-                           "'" + word_of(method_words(), row.method) +
-                             "' is not published for " + mesh_cells +
-                             ", of which the mesh is made, but for " +
-                             join(cells) + '.',
-                           "For " + mesh_cells + " there are: " + join(fits) +
-                             '.');
+          throw EntryError(
+            "Fit/Methods",
+            "'" + row.method->word + "' is not published for " + mesh_cells +
+              ", of which the mesh is made, but for " + join(cells) + '.',
+            "For " + mesh_cells + " there are: " + join(fits) + '.');
         }
 
     if (has_states())
       for (const auto &row : rows())
-        if (!springfit::has_states(row.method, row.enrichment, kind))
+        if (!springfit::has_states(*row.method, row.enrichment, kind))
           throw EntryError("Fit/States",
-                           "the fit '" + word_of(method_words(), row.method) +
-                             "' of " + word_of(cell_kind_words(), kind) +
+                           "the fit '" + row.method->word + "' of " +
+                             word_of(cell_kind_words(), kind) +
                              " with the enrichment '" +
                              word_of(enrichment_words(), row.enrichment) +
                              "' has no states.",
@@ -361,18 +340,18 @@ namespace springfit
   std::vector<std::string>
   FitSection<dim>::unused_entries(const CellKind kind) const
   {
-    const bool has_consistent = any_consistent(rows());
     std::vector<std::string> sentences;
     if (options_.volume_law != VolumeLaw::quadratic &&
-        !any_under_pressure(rows()))
+        !any_has(rows(), Feature::finite_element))
       sentences.push_back("Fit/Volume law is not used: it is of the fit "
                           "'stable neo-hookean'.");
     if (options_.norm == Norm::spectral &&
-        (!has_consistent || scope_ == Scope::object || is_simplex(kind)))
+        (!any_has(rows(), Feature::norm) || scope_ == Scope::object ||
+         is_simplex(kind)))
       sentences.push_back("Fit/Norm is not used: it is of the fit 'consistent' "
                           "of single quadrilaterals and hexahedra.");
     if (fields() != std::vector<Field>{Field::responses} &&
-        (!has_consistent || scope_ == Scope::cell))
+        (!any_has(rows(), Feature::fields) || scope_ == Scope::cell))
       sentences.push_back("Fit/Fields is not used: it is of the fit "
                           "'consistent' with 'Scope = object'.");
     return sentences;

@@ -20,7 +20,7 @@ namespace springfit
                            const Mesh<dim> &mesh,
                            const Element<dim> &element,
                            const MaterialTable &materials,
-                           const Method method,
+                           const Method &method,
                            const FitOptions &options,
                            const SpringLaw law,
                            const std::string &name,
@@ -47,7 +47,7 @@ namespace springfit
                    const Mesh<dim> &mesh,
                    const Element<dim> &element,
                    const MaterialTable &materials,
-                   const Method method,
+                   const Method &method,
                    const FitOptions &options,
                    const SpringLaw law,
                    const std::vector<Field> &fields,
@@ -72,7 +72,7 @@ namespace springfit
       assemble_network(mesh, cells, units, element, materials);
 
     Eigen::VectorXd prior;
-    if (method == Method::consistent)
+    if (has(method, Feature::fields))
       prior = constants_of_cell_fits(
         cells, mesh, element, materials, method, options, law, name, session);
 
@@ -141,7 +141,7 @@ namespace springfit
                       const Mesh<2> &,
                       const Element<2> &,
                       const MaterialTable &,
-                      Method,
+                      const Method &,
                       const FitOptions &,
                       SpringLaw,
                       const std::vector<Field> &,
@@ -153,7 +153,7 @@ namespace springfit
                       const Mesh<3> &,
                       const Element<3> &,
                       const MaterialTable &,
-                      Method,
+                      const Method &,
                       const FitOptions &,
                       SpringLaw,
                       const std::vector<Field> &,

@@ -1,14 +1,11 @@
 #include <springfit/calibration/object_scope.h>
 #include <springfit/core/error.h>
-#include <springfit/fit/object/compliance.h>
 #include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/object/free_body.h>
-#include <springfit/fit/object/object_fit.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/springs/network.h>
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 namespace springfit
@@ -90,15 +87,6 @@ namespace springfit
     return all;
   }
 
-  const std::vector<Method> &
-  object_methods()
-  {
-    static const std::vector<Method> methods = {Method::frobenius,
-                                                Method::consistent,
-                                                Method::compliance};
-    return methods;
-  }
-
   template <int dim>
   Eigen::SparseMatrix<double>
   object_stiffness(const Mesh<dim> &mesh,
@@ -153,40 +141,13 @@ namespace springfit
     return problem;
   }
 
-  namespace
-  {
-    Eigen::VectorXd
-    solve(const ObjectProblem &problem,
-          const Method method,
-          const Eigen::MatrixXd &fields,
-          const Eigen::VectorXd &prior)
-    {
-      // See fit_displacements(). With less, springs of tetrahedra vanish until
-      // single nodes bulge or are loose; with 0.3 errors are up to a quarter
-      // larger.
-      constexpr double prior_weight = 0.2;
-
-      switch (method)
-        {
-          case Method::frobenius:
-            return fit_matrix(problem);
-          case Method::consistent:
-            return fit_displacements(problem, fields, prior, prior_weight);
-          case Method::compliance:
-            return fit_compliance(problem);
-          default:
-            throw std::logic_error("a fit is not one of whole objects");
-        }
-    }
-  } // namespace
-
   ObjectFit
   fit_object(const ObjectProblem &problem,
-             const Method method,
+             const Method &method,
              const Eigen::MatrixXd &fields,
              const Eigen::VectorXd &prior)
   {
-    const Eigen::VectorXd constants = solve(problem, method, fields, prior);
+    const Eigen::VectorXd constants = method.fit_object(problem, fields, prior);
     if (!constants.allFinite())
       throw RunError("The fit of the whole object gave constants that are not "
                      "finite.",

@@ -1,7 +1,17 @@
 #include <springfit/fit/cell/baudet.h>
+#include <springfit/fit/cell/block.h>
+#include <springfit/fit/cell/cell_compliance.h>
+#include <springfit/fit/cell/consistent.h>
+#include <springfit/fit/cell/delingette.h>
+#include <springfit/fit/cell/frobenius.h>
+#include <springfit/fit/cell/gelder.h>
 #include <springfit/fit/cell/golec.h>
 #include <springfit/fit/cell/lloyd.h>
+#include <springfit/fit/cell/spectral_fit.h>
+#include <springfit/fit/cell/stable_neo_hookean.h>
 #include <springfit/fit/methods.h>
+#include <springfit/fit/object/compliance.h>
+#include <springfit/fit/object/object_fit.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -10,92 +20,102 @@ namespace springfit
 {
   namespace
   {
-    // Their assumptions, with the same arguments for all of them.
+    // Fits of whole objects, with the same arguments for all of them.
 
-    using Assumptions = std::vector<std::string>;
-
-    Assumptions
-    none_unmet(const Eigen::MatrixXd &,
-               const CellKind,
-               const IsotropicMaterial &)
+    Eigen::VectorXd
+    matrix_of_object(const ObjectProblem &problem,
+                     const Eigen::MatrixXd &,
+                     const Eigen::VectorXd &)
     {
-      return {};
+      return fit_matrix(problem);
     }
 
-    Assumptions
-    golec_unmet(const Eigen::MatrixXd &,
-                const CellKind,
-                const IsotropicMaterial &material)
+    Eigen::VectorXd
+    displacements_of_object(const ObjectProblem &problem,
+                            const Eigen::MatrixXd &fields,
+                            const Eigen::VectorXd &prior)
     {
-      return golec_assumptions(material);
+      // With less, springs of tetrahedra vanish until single nodes bulge or are
+      // loose; with 0.3 errors are up to a quarter larger.
+      constexpr double prior_weight = 0.2;
+      return fit_displacements(problem, fields, prior, prior_weight);
+    }
+
+    Eigen::VectorXd
+    compliance_of_object(const ObjectProblem &problem,
+                         const Eigen::MatrixXd &,
+                         const Eigen::VectorXd &)
+    {
+      return fit_compliance(problem);
     }
 
 
-    struct Description
-    {
-      Method method;
-      std::string word;
-      std::vector<CellKind> cells;
-      std::vector<Enrichment> enrichments;
+    const auto triangle      = CellKind::triangle;
+    const auto quadrilateral = CellKind::quadrilateral;
+    const auto tetrahedron   = CellKind::tetrahedron;
+    const auto hexahedron    = CellKind::hexahedron;
 
-      bool has_formulas;
-
-      Assumptions (*unmet)(const Eigen::MatrixXd &,
-                           CellKind,
-                           const IsotropicMaterial &);
-    };
+    const auto none          = Enrichment::none;
+    const auto volume        = Enrichment::volume;
+    const auto point_volumes = Enrichment::point_volumes;
+    const auto angles        = Enrichment::angles;
+    const auto coupling      = Enrichment::coupling;
 
     /** In the order in which they are offered. */
-    const std::vector<Description> &
-    descriptions()
+    const std::vector<Method> &
+    methods()
     {
-      const auto triangle      = CellKind::triangle;
-      const auto quadrilateral = CellKind::quadrilateral;
-      const auto tetrahedron   = CellKind::tetrahedron;
-      const auto hexahedron    = CellKind::hexahedron;
       const auto all      = {triangle, quadrilateral, tetrahedron, hexahedron};
-      const auto none     = Enrichment::none;
-      const auto volume   = Enrichment::volume;
-      const auto angles   = Enrichment::angles;
-      const auto coupling = Enrichment::coupling;
       const auto every    = {none, volume, angles, coupling};
-      static const std::vector<Description> table = {
-        {Method::block, "block", all, every, false, &none_unmet},
-        {Method::frobenius, "frobenius", all, every, false, &none_unmet},
-        {Method::spectral, "spectral", all, every, false, &none_unmet},
-        {Method::consistent, "consistent", all, every, false, &none_unmet},
-        {Method::compliance, "compliance", all, every, false, &none_unmet},
-        {Method::stable_neo_hookean,
-         "stable neo-hookean",
+      const auto formulas = Feature::formulas;
+      static const std::vector<Method> table = {
+        {"block", all, every, {}, &fit_block},
+        {"frobenius",
          all,
-         {volume, Enrichment::point_volumes},
-         true,
-         &none_unmet},
-        {Method::gelder,
-         "gelder",
-         {triangle, tetrahedron},
-         {none},
-         true,
-         &none_unmet},
-        {Method::lloyd,
-         "lloyd",
+         every,
+         {Feature::states},
+         &fit_frobenius,
+         &matrix_of_object},
+        {"spectral", all, every, {}, &fit_spectral},
+        {"consistent",
+         all,
+         every,
+         {Feature::norm, Feature::fields},
+         &fit_consistent,
+         &displacements_of_object},
+        {"compliance", all, every, {}, &fit_compliance, &compliance_of_object},
+        {"stable neo-hookean",
+         all,
+         {volume, point_volumes},
+         {formulas, Feature::finite_element},
+         &fit_stable_neo_hookean},
+        {"gelder", {triangle, tetrahedron}, {none}, {formulas}, &fit_gelder},
+        {"lloyd",
          {triangle, quadrilateral, tetrahedron},
          {none},
-         true,
+         {formulas},
+         &fit_lloyd,
+         nullptr,
          &lloyd_assumptions},
-        {Method::baudet,
-         "baudet",
+        {"baudet",
          {quadrilateral, hexahedron},
          {none, coupling},
-         true,
+         {formulas},
+         &fit_baudet,
+         nullptr,
          &baudet_assumptions},
-        {Method::delingette,
-         "delingette",
+        {"delingette",
          {triangle},
          {none, coupling},
-         true,
-         &none_unmet},
-        {Method::golec, "golec", {tetrahedron}, {volume}, true, &golec_unmet}};
+         {formulas},
+         &fit_delingette},
+        {"golec",
+         {tetrahedron},
+         {volume},
+         {formulas},
+         &fit_golec,
+         nullptr,
+         &golec_assumptions}};
       return table;
     }
 
@@ -110,72 +130,85 @@ namespace springfit
       return words;
     }
 
-    const Description &
-    description(const Method method)
+    template <typename Value>
+    bool
+    contains(const std::vector<Value> &values, const Value value)
     {
-      for (const auto &entry : descriptions())
-        if (entry.method == method)
-          return entry;
-      throw std::logic_error("a fit has no description");
+      return std::find(values.begin(), values.end(), value) != values.end();
     }
   } // namespace
 
 
-  const WordTable<Method> &
+  const WordTable<const Method *> &
   method_words()
   {
-    static const WordTable<Method> table = [] {
-      WordTable<Method> words;
-      for (const auto &entry : descriptions())
-        words.emplace_back(entry.method, entry.word);
+    static const WordTable<const Method *> table = [] {
+      WordTable<const Method *> words;
+      for (const auto &method : methods())
+        words.emplace_back(&method, method.word);
       return words;
     }();
     return table;
   }
 
 
-  const std::vector<CellKind> &
-  cells_of(const Method method)
+  const Method &
+  method_named(const std::string &word)
   {
-    return description(method).cells;
-  }
-
-
-  const std::vector<Enrichment> &
-  enrichments_of(const Method method)
-  {
-    return description(method).enrichments;
+    for (const auto &method : methods())
+      if (method.word == word)
+        return method;
+    throw std::logic_error("there is no fit '" + word + "'");
   }
 
 
   bool
-  has_states(const Method method,
+  has(const Method &method, const Feature feature)
+  {
+    return contains(method.features, feature);
+  }
+
+
+  bool
+  suits(const Method &method, const CellKind kind)
+  {
+    return contains(method.cells, kind);
+  }
+
+
+  bool
+  suits(const Method &method, const Enrichment enrichment)
+  {
+    return contains(method.enrichments, enrichment);
+  }
+
+
+  bool
+  has_states(const Method &method,
              const Enrichment enrichment,
              const CellKind kind)
   {
-    return method == Method::frobenius &&
+    return has(method, Feature::states) &&
            (enrichment != Enrichment::coupling || is_simplex(kind));
   }
 
 
-  bool
-  has_formulas(const Method method)
+  std::vector<std::string>
+  unmet_assumptions(const Method &method,
+                    const Eigen::MatrixXd &points,
+                    const CellKind kind,
+                    const IsotropicMaterial &material)
   {
-    return description(method).has_formulas;
-  }
-
-
-  bool
-  is_finite_element(const Method method)
-  {
-    return method == Method::stable_neo_hookean;
+    if (!method.unmet_assumptions)
+      return {};
+    return method.unmet_assumptions(points, kind, material);
   }
 
 
   std::string
-  name_of(const Method method)
+  name_of(const Method &method)
   {
-    return underscored(description(method).word);
+    return underscored(method.word);
   }
 
 
@@ -191,15 +224,5 @@ namespace springfit
   {
     return enrichment == name_of(Enrichment::none) ? fit
                                                    : fit + '_' + enrichment;
-  }
-
-
-  std::vector<std::string>
-  unmet_assumptions(const Method method,
-                    const Eigen::MatrixXd &points,
-                    const CellKind kind,
-                    const IsotropicMaterial &material)
-  {
-    return description(method).unmet(points, kind, material);
   }
 } // namespace springfit

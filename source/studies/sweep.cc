@@ -38,7 +38,7 @@ namespace springfit
      */
     TestedModel
     fit_cell(const FitProblem &problem,
-             const Method method,
+             const Method &method,
              const FitOptions &options)
     {
       const FitResult result = fit(problem, method, options);
@@ -90,16 +90,15 @@ namespace springfit
         rows.push_back(test(in, {"fem", "none", problem.stiffness, 0}));
         for (const auto &row : scene_.fit.rows(kind_))
           {
-            const std::string fit = word_of(method_words(), row.method);
+            const std::string fit = row.method->word;
             for (const auto &assumption : unmet_assumptions(
-                   row.method, points_, kind_, problem.material))
+                   *row.method, points_, kind_, problem.material))
               unmet_[{fit, assumption}].insert(
                 {in.youngs_modulus, in.poissons_ratio});
             try
               {
-                rows.push_back(
-                  test(in,
-                       fit_cell(problem, row.method, scene_.fit.options(row))));
+                rows.push_back(test(
+                  in, fit_cell(problem, *row.method, scene_.fit.options(row))));
               }
             catch (const RunError &error)
               {
@@ -251,7 +250,7 @@ namespace springfit
       session.print(summary_line("fem", "none", rows));
       for (const auto &row : scene.fit.rows(mesh.mesh->cell_kind))
         session.print(
-          summary_line(name_of(row.method), name_of(row.enrichment), rows));
+          summary_line(name_of(*row.method), name_of(row.enrichment), rows));
       cell_test.warn(session);
     });
     session.print("\nResults are in " + session.output_directory().string() +

@@ -5,8 +5,8 @@
 #include <springfit/fit/cell/barrier_engine.h>
 #include <springfit/fit/cell/block.h>
 #include <springfit/fit/cell/consistent.h>
-#include <springfit/fit/fit.h>
 #include <springfit/fit/cell/frobenius.h>
+#include <springfit/fit/fit.h>
 
 #include <benchmark/benchmark.h>
 
@@ -24,14 +24,15 @@ namespace
 
   using Fit = std::function<Eigen::VectorXd(const FitProblem &)>;
 
-  /** Everything that `Method::spectral` does, its certificate included. */
+  /** Everything that `method_named("spectral")` does, its certificate included.
+   */
   Fit
   spectral_fit(const Engine engine)
   {
     FitOptions options;
     options.engine = engine;
     return [options](const FitProblem &problem) {
-      return fit(problem, Method::spectral, options).k();
+      return fit(problem, method_named("spectral"), options).k();
     };
   }
 

@@ -96,8 +96,8 @@ namespace
     for (const auto &network : networks)
       {
         const Eigen::MatrixXd K = tangent_at_rest(network.network);
-        const Method method =
-          value_of(method_words(), network.fit, "Fit/Methods");
+        const Method &method =
+          *value_of(method_words(), network.fit, "Fit/Methods");
         FitOptions options;
         options.enrichment =
           value_of(enrichment_words(), network.enrichment, "Fit/Enrichment");

@@ -39,10 +39,11 @@ namespace
     Figures figures;
     for (unsigned int cell = 0; cell < n_cells; ++cell)
       {
-        const auto result =
-          fit(oracle::random_problem(kind, random), Method::spectral, options);
-        const double gap = *result.duality_gap;
-        figures.worst    = std::max(figures.worst, gap);
+        const auto result = fit(oracle::random_problem(kind, random),
+                                method_named("spectral"),
+                                options);
+        const double gap  = *result.duality_gap;
+        figures.worst     = std::max(figures.worst, gap);
         figures.mean += gap / n_cells;
         if (result.spectral_residual > 1e-3)
           figures.worst_to_t =

@@ -3,8 +3,8 @@
 
 // What the tests of the fits share.
 
-#include <springfit/fit/fit.h>
 #include <springfit/fit/cell/spectral.h>
+#include <springfit/fit/fit.h>
 #include <springfit/springs/network.h>
 
 #include <string>
@@ -34,10 +34,12 @@ namespace springfit::oracle
     std::vector<std::pair<Method, FitOptions>> fits;
     for (const bool nonnegative : {false, true})
       {
-        for (const Method method : {Method::block, Method::frobenius})
+        for (const Method &method :
+             {method_named("block"), method_named("frobenius")})
           fits.emplace_back(method, options_of(Engine::ipopt, nonnegative));
         for (const Engine engine : all_engines)
-          fits.emplace_back(Method::spectral, options_of(engine, nonnegative));
+          fits.emplace_back(method_named("spectral"),
+                            options_of(engine, nonnegative));
       }
     return fits;
   }

@@ -1,8 +1,8 @@
 #include <springfit/fit/cell/barrier_engine.h>
 #include <springfit/fit/cell/certificate.h>
-#include <springfit/fit/fit.h>
 #include <springfit/fit/cell/ipopt_engine.h>
 #include <springfit/fit/cell/spectral.h>
+#include <springfit/fit/fit.h>
 
 #include <gtest/gtest.h>
 
@@ -154,7 +154,7 @@ namespace
     for (unsigned int cell = 0; cell < 50; ++cell)
       {
         const auto result = fit(oracle::random_problem(kind, random),
-                                Method::spectral,
+                                method_named("spectral"),
                                 options_of(engine, nonnegative));
         ASSERT_TRUE(result.duality_gap);
         EXPECT_LE(*result.duality_gap, 1e-6);
@@ -240,10 +240,10 @@ namespace
           {
             const auto problem = slender_problem(kind, random);
             const auto ipopt   = fit(problem,
-                                   Method::spectral,
+                                   method_named("spectral"),
                                    options_of(Engine::ipopt, nonnegative));
             const auto barrier = fit(problem,
-                                     Method::spectral,
+                                     method_named("spectral"),
                                      options_of(Engine::barrier, nonnegative));
             EXPECT_NEAR(ipopt.spectral_residual,
                         barrier.spectral_residual,
@@ -259,10 +259,10 @@ namespace
     for (const bool nonnegative : {false, true})
       {
         const auto ipopt   = fit(problem,
-                               Method::spectral,
+                               method_named("spectral"),
                                options_of(Engine::ipopt, nonnegative));
         const auto barrier = fit(problem,
-                                 Method::spectral,
+                                 method_named("spectral"),
                                  options_of(Engine::barrier, nonnegative));
         EXPECT_LT((ipopt.k() - barrier.k()).cwiseAbs().maxCoeff(), 1e-6);
       }

@@ -1,8 +1,8 @@
 // Springs under tension and volumes under pressure are the finite element: at
 // rest, and at large deformation that of their law.
 
-#include <springfit/fit/fit.h>
 #include <springfit/fit/cell/stable_neo_hookean.h>
+#include <springfit/fit/fit.h>
 #include <springfit/springs/cell_quadrature.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/rigid_modes.h>
@@ -113,7 +113,7 @@ namespace
   {
     for_each_problem([](const FitProblem &problem, double) {
       const auto result = fit(problem,
-                              Method::stable_neo_hookean,
+                              method_named("stable neo-hookean"),
                               {Enrichment::volume, /*nonnegative*/ true});
       EXPECT_GT(*result.smallest_eigenvalue, 1e-4);
     });
@@ -136,8 +136,9 @@ namespace
                      CellKind::hexahedron,
                      nu,
                      false);
-        const auto result =
-          fit(problem, Method::stable_neo_hookean, {Enrichment::volume});
+        const auto result = fit(problem,
+                                method_named("stable neo-hookean"),
+                                {Enrichment::volume});
         EXPECT_NEAR(*result.smallest_eigenvalue / eigenvalue, 1., 0.35);
       }
   }

@@ -43,7 +43,7 @@ namespace springfit
     /** What the unknowns of the fit were. */
     Scope scope;
 
-    /** Whether it is a finite element, as is_finite_element() says. */
+    /** Whether its fit has Feature::finite_element. */
     bool is_finite_element;
 
     double seconds; // wall time of the calibration

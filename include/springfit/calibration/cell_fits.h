@@ -82,7 +82,7 @@ namespace springfit
                      const Mesh<dim> &mesh,
                      const Element<dim> &element,
                      const MaterialTable &materials,
-                     Method method,
+                     const Method &method,
                      const FitOptions &options,
                      const ReferenceStates &states,
                      const std::string &name,

@@ -40,7 +40,7 @@ namespace springfit
     /** A row of the tables. */
     struct Row
     {
-      Method method;
+      const Method *method;
       Enrichment enrichment;
     };
 

@@ -38,7 +38,7 @@ namespace springfit
                    const Mesh<dim> &mesh,
                    const Element<dim> &element,
                    const MaterialTable &materials,
-                   Method method,
+                   const Method &method,
                    const FitOptions &options,
                    SpringLaw law,
                    const std::vector<Field> &fields,

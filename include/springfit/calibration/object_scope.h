@@ -50,10 +50,6 @@ namespace springfit
                       const ObjectProblem &problem,
                       const Eigen::MatrixXd &responses);
 
-  /** The fits that there are of a whole object. */
-  const std::vector<Method> &
-  object_methods();
-
   /**
    * The stiffness of the finite elements of a mesh in N/m, n x n, without
    * supports. Degree of freedom dim * v + d is component d of vertex v.
@@ -96,7 +92,7 @@ namespace springfit
   judge_object(const ObjectProblem &problem, const Eigen::VectorXd &constants);
 
   /**
-   * @param method one of object_methods()
+   * @param method one with a Method::fit_object
    * @param fields, prior see fit_displacements(); of the consistent fit
    *
    * @throws RunError as the fit does, or when the constants are not
@@ -104,7 +100,7 @@ namespace springfit
    */
   ObjectFit
   fit_object(const ObjectProblem &problem,
-             Method method,
+             const Method &method,
              const Eigen::MatrixXd &fields,
              const Eigen::VectorXd &prior);
 } // namespace springfit

@@ -1,63 +1,15 @@
 #ifndef springfit_fit_fit_h
 #define springfit_fit_fit_h
 
-#include <springfit/core/words.h>
 #include <springfit/fit/cell_model.h>
-#include <springfit/fit/enrichment.h>
 #include <springfit/fit/methods.h>
+#include <springfit/fit/options.h>
 #include <springfit/fit/problem.h>
-#include <springfit/springs/volume_law.h>
 
 #include <optional>
 
 namespace springfit
 {
-  /** What solves the spectral fit. */
-  enum class Engine
-  {
-    ipopt,
-    barrier
-  };
-
-  /** What the consistent fit minimises. */
-  enum class Norm
-  {
-    frobenius,
-    spectral
-  };
-
-  const WordTable<Engine> &
-  engine_words();
-
-  const WordTable<Norm> &
-  norm_words();
-
-  struct FitOptions
-  {
-    /** One of those that the fit has. */
-    Enrichment enrichment = Enrichment::none;
-
-    /**
-     * Keep every spring from being negative. Volume springs, angles and
-     * couplings are free as long as the cell stays positive semidefinite.
-     */
-    bool nonnegative = false;
-
-    /** Of the volumes of a fit whose volumes are under pressure. */
-    VolumeLaw volume_law = VolumeLaw::quadratic;
-
-    /** Of a consistent fit of quadrilaterals and hexahedra. */
-    Norm norm = Norm::frobenius;
-
-    Engine engine = Engine::ipopt;
-
-    /**
-     * The duality gap, relative to ||R||_2, that the caller is going to ask
-     * of a spectral fit. The engines aim well below it.
-     */
-    double tolerance = 1e-6;
-  };
-
   /** The lumped forces of a cell, and how near they are to R. */
   struct FitResult : CellModel
   {
@@ -92,9 +44,9 @@ namespace springfit
   };
 
   /**
-   * Fit the springs of one cell, which must be of a kind in cells_of() and with
-   * an enrichment in enrichments_of() the method, and without states unless
-   * has_states(). A large duality gap is reported, not thrown.
+   * Fit the springs of one cell, whose kind and enrichment must suit the
+   * method, and without states unless has_states(). A large duality gap is
+   * reported, not thrown.
    *
    * @throws RunError when R is zero or not finite, when the engine breaks
    * down without a result, when a volume is zero or an angle straight or
@@ -103,7 +55,9 @@ namespace springfit
    * semidefinite all the same.
    */
   FitResult
-  fit(const FitProblem &problem, Method method, const FitOptions &options);
+  fit(const FitProblem &problem,
+      const Method &method,
+      const FitOptions &options);
 
   /**
    * @throws RunError when the result's duality gap exceeds the tolerance.

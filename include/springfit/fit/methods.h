@@ -3,8 +3,11 @@
 
 #include <springfit/core/cell_kind.h>
 #include <springfit/core/words.h>
-#include <springfit/fit/cell_material.h>
 #include <springfit/fit/enrichment.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/object/object_problem.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
 
@@ -13,56 +16,98 @@
 
 namespace springfit
 {
-  /** A fit; see the header of its name. */
-  enum class Method
+  /** What only some fits know. */
+  enum class Feature
   {
-    block,
-    frobenius,
-    spectral,
-    consistent,
-    compliance,
-    stable_neo_hookean,
-    gelder,
-    lloyd,
-    baudet,
-    delingette,
-    golec
+    /** FitProblem::states, with all couplings on simplices only */
+    states,
+
+    /** FitOptions::norm */
+    norm,
+
+    /** Displacement fields, in a fit of the whole object */
+    fields,
+
+    /**
+     * Formulas of its own, to be taken as they are: FitOptions::nonnegative
+     * does not change them.
+     */
+    formulas,
+
+    /**
+     * It misses nothing of the finite element that it could have: the cell is
+     * as stable as that, negative springs or not.
+     */
+    finite_element
   };
 
-  const WordTable<Method> &
+  /** A fit: what users call it, what it is for, and its functions. */
+  struct Method
+  {
+    std::string word;
+    std::vector<CellKind> cells;
+    std::vector<Enrichment> enrichments;
+    std::vector<Feature> features;
+
+    /**
+     * The forces of one of its cells with one of its enrichments.
+     *
+     * @throws RunError as the header of its name says.
+     */
+    FittedCell (*fit)(const FitProblem &, const FitOptions &);
+
+    /**
+     * The constants of a whole object, given displacement fields and constants
+     * to stay near to, see fit_displacements(). None for a fit of single cells.
+     */
+    Eigen::VectorXd (*fit_object)(const ObjectProblem &,
+                                  const Eigen::MatrixXd &fields,
+                                  const Eigen::VectorXd &prior) = nullptr;
+
+    /**
+     * The assumptions of a published fit that a cell does not meet, as parts
+     * of a sentence: "squares". The fit can be made all the same. None for a
+     * fit without.
+     */
+    std::vector<std::string> (*unmet_assumptions)(const Eigen::MatrixXd &points,
+                                                  CellKind,
+                                                  const IsotropicMaterial &) =
+      nullptr;
+  };
+
+  /** All of them, in the order in which they are offered. */
+  const WordTable<const Method *> &
   method_words();
 
-  /** The cells that a fit is for. */
-  const std::vector<CellKind> &
-  cells_of(Method method);
+  /** The one of this word, which there must be. */
+  const Method &
+  method_named(const std::string &word);
 
-  /** The enrichments that a fit has. */
-  const std::vector<Enrichment> &
-  enrichments_of(Method method);
+  bool
+  has(const Method &method, Feature feature);
+
+  bool
+  suits(const Method &method, CellKind kind);
+
+  bool
+  suits(const Method &method, Enrichment enrichment);
 
   /** Whether a fit can suit deformed states of a cell, see several_states.h. */
   bool
-  has_states(Method method, Enrichment enrichment, CellKind kind);
+  has_states(const Method &method, Enrichment enrichment, CellKind kind);
 
-  /**
-   * Whether a fit has formulas of its own, to be taken as they are:
-   * FitOptions::nonnegative does not change them.
-   */
-  bool
-  has_formulas(Method method);
-
-  /**
-   * Whether a fit misses nothing of the finite element that it could have: the
-   * cell is as stable as that, negative springs or not.
-   */
-  bool
-  is_finite_element(Method method);
+  /** Those that a cell does not meet; see Method::unmet_assumptions. */
+  std::vector<std::string>
+  unmet_assumptions(const Method &method,
+                    const Eigen::MatrixXd &points,
+                    CellKind kind,
+                    const IsotropicMaterial &material);
 
   // What files and tables call a fit and an enrichment: their words joined by
   // underscores.
 
   std::string
-  name_of(Method method);
+  name_of(const Method &method);
 
   std::string
   name_of(Enrichment enrichment);
@@ -70,16 +115,6 @@ namespace springfit
   /** Of both: the fit, and behind it the enrichment unless that is none. */
   std::string
   name_of(const std::string &fit, const std::string &enrichment);
-
-  /**
-   * The assumptions of a published fit that a cell does not meet, as parts of
-   * a sentence: "squares". The fit can be made all the same.
-   */
-  std::vector<std::string>
-  unmet_assumptions(Method method,
-                    const Eigen::MatrixXd &points,
-                    CellKind kind,
-                    const IsotropicMaterial &material);
 } // namespace springfit
 
 #endif

@@ -1,4 +1,5 @@
 #include <springfit/fit/cell/baudet.h>
+#include <springfit/fit/cell/coupled_cell.h>
 #include <springfit/fit/cell/regularity.h>
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/volume.h>
@@ -111,5 +112,18 @@ namespace springfit
     return is_regular(points, kind)
              ? std::vector<std::string>{}
              : std::vector<std::string>{regular_cells(kind)};
+  }
+
+
+  FittedCell
+  fit_baudet(const FitProblem &problem, const FitOptions &options)
+  {
+    const auto &points   = problem.points;
+    const auto &material = problem.material;
+    return {coupled_model(problem,
+                          fit_baudet(points, problem.kind, material),
+                          options.enrichment == Enrichment::coupling
+                            ? baudet_couplings(points, problem.kind, material)
+                            : std::vector<LengthCoupling>())};
   }
 } // namespace springfit

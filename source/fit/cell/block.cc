@@ -1,3 +1,4 @@
+#include <springfit/fit/cell/approximation.h>
 #include <springfit/fit/cell/block.h>
 #include <springfit/fit/cell/frobenius.h>
 #include <springfit/fit/programs/nonnegative_least_squares.h>
@@ -20,5 +21,21 @@ namespace springfit
         products -= tangent_products(B_node, R.block(row, row, dim, dim));
       }
     return nonnegative_least_squares(gram, products, n_nonnegative);
+  }
+
+
+  FittedCell
+  fit_block(const FitProblem &problem, const FitOptions &options)
+  {
+    return approximate(
+      problem,
+      options,
+      [&problem](const CellTerms &terms, const Eigen::Index n_nonnegative) {
+        return FittedCell{make_cell_model(terms,
+                                          fit_block(terms.gradients,
+                                                    problem.stiffness,
+                                                    problem.points.rows(),
+                                                    n_nonnegative))};
+      });
   }
 } // namespace springfit

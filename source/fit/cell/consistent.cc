@@ -1,4 +1,6 @@
+#include <springfit/fit/cell/approximation.h>
 #include <springfit/fit/cell/consistent.h>
+#include <springfit/fit/cell/spectral_fit.h>
 #include <springfit/fit/displacement_fields.h>
 #include <springfit/fit/programs/nonnegative_least_squares.h>
 #include <springfit/springs/rigid_modes.h>
@@ -193,5 +195,31 @@ namespace springfit
     const Eigen::MatrixXd S = Eigen::MatrixXd::Identity(Q.rows(), Q.rows()) +
                               (affine_factor - 1.) * Q * Q.transpose();
     return make_spectral_problem(points, S * B, S * R * S, n_nonnegative);
+  }
+
+
+  FittedCell
+  fit_consistent(const FitProblem &problem, const FitOptions &options)
+  {
+    const auto in_spectral_norm = [&](const CellTerms &terms,
+                                      const Eigen::Index n_nonnegative) {
+      return solve(make_consistent_spectral_problem(problem.points,
+                                                    terms.gradients,
+                                                    problem.stiffness,
+                                                    n_nonnegative),
+                   terms,
+                   options);
+    };
+    const auto by_ladder = [&](const CellTerms &terms,
+                               const Eigen::Index n_nonnegative) {
+      return FittedCell{make_cell_model(terms,
+                                        fit_consistent(problem.points,
+                                                       terms.gradients,
+                                                       problem.stiffness,
+                                                       n_nonnegative))};
+    };
+    if (options.norm == Norm::spectral && !is_simplex(problem.kind))
+      return approximate(problem, options, in_spectral_norm);
+    return approximate(problem, options, by_ladder);
   }
 } // namespace springfit

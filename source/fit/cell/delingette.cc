@@ -1,3 +1,4 @@
+#include <springfit/fit/cell/coupled_cell.h>
 #include <springfit/fit/cell/delingette.h>
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/volume.h>
@@ -65,5 +66,17 @@ namespace springfit
                                   t.opposite_cotangent[b] -
                                 t.M)});
     return couplings;
+  }
+
+
+  FittedCell
+  fit_delingette(const FitProblem &problem, const FitOptions &options)
+  {
+    return {
+      coupled_model(problem,
+                    fit_delingette(problem.points, problem.material),
+                    options.enrichment == Enrichment::coupling
+                      ? delingette_couplings(problem.points, problem.material)
+                      : std::vector<LengthCoupling>())};
   }
 } // namespace springfit

@@ -1,4 +1,6 @@
+#include <springfit/fit/cell/approximation.h>
 #include <springfit/fit/cell/frobenius.h>
+#include <springfit/fit/cell/several_states.h>
 #include <springfit/fit/programs/nonnegative_least_squares.h>
 
 namespace springfit
@@ -25,5 +27,21 @@ namespace springfit
     return nonnegative_least_squares(tangent_gram(B),
                                      tangent_products(B, R),
                                      n_nonnegative);
+  }
+
+
+  FittedCell
+  fit_frobenius(const FitProblem &problem, const FitOptions &options)
+  {
+    if (!problem.states.empty())
+      return fit_states(problem, options);
+    return approximate(
+      problem,
+      options,
+      [&problem](const CellTerms &terms, const Eigen::Index n_nonnegative) {
+        return FittedCell{make_cell_model(
+          terms,
+          fit_frobenius(terms.gradients, problem.stiffness, n_nonnegative))};
+      });
   }
 } // namespace springfit

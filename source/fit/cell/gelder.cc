@@ -1,3 +1,4 @@
+#include <springfit/fit/cell/coupled_cell.h>
 #include <springfit/fit/cell/gelder.h>
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/volume.h>
@@ -17,5 +18,13 @@ namespace springfit
       k[s] =
         E_V / (points.col(pairs[s][1]) - points.col(pairs[s][0])).squaredNorm();
     return k;
+  }
+
+
+  FittedCell
+  fit_gelder(const FitProblem &problem, const FitOptions &)
+  {
+    return {coupled_model(
+      problem, fit_gelder(problem.points, problem.kind, problem.material), {})};
   }
 } // namespace springfit

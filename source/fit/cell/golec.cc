@@ -1,5 +1,7 @@
+#include <springfit/fit/cell/coupled_cell.h>
 #include <springfit/fit/cell/golec.h>
 #include <springfit/fit/cell/lloyd.h>
+#include <springfit/springs/rest_families.h>
 #include <springfit/springs/volume.h>
 
 namespace springfit
@@ -26,11 +28,26 @@ namespace springfit
 
 
   std::vector<std::string>
-  golec_assumptions(const IsotropicMaterial &material)
+  golec_assumptions(const Eigen::MatrixXd &,
+                    const CellKind,
+                    const IsotropicMaterial &material)
   {
     return material.poissons_ratio < 0.25 - 1e-12
              ? std::vector<std::string>{"Poisson's ratio 1/4 or more, so that "
                                         "no volume spring is negative"}
              : std::vector<std::string>{};
+  }
+
+
+  FittedCell
+  fit_golec(const FitProblem &problem, const FitOptions &)
+  {
+    CellModel model =
+      coupled_model(problem, fit_golec(problem.points, problem.material), {});
+    model.families.push_back(
+      volume_at_rest(problem.points,
+                     problem.kind,
+                     golec_volume_stiffness(problem.points, problem.material)));
+    return {model};
   }
 } // namespace springfit

@@ -1,3 +1,4 @@
+#include <springfit/fit/cell/coupled_cell.h>
 #include <springfit/fit/cell/lloyd.h>
 #include <springfit/fit/cell/regularity.h>
 #include <springfit/springs/cell_topology.h>
@@ -47,5 +48,13 @@ namespace springfit
     if (!is_regular(points, kind))
       missed.emplace_back(regular_cells(kind));
     return missed;
+  }
+
+
+  FittedCell
+  fit_lloyd(const FitProblem &problem, const FitOptions &)
+  {
+    return {coupled_model(
+      problem, fit_lloyd(problem.points, problem.kind, problem.material), {})};
   }
 } // namespace springfit

@@ -1,7 +1,9 @@
 #include <springfit/core/error.h>
+#include <springfit/fit/cell/approximation.h>
 #include <springfit/fit/cell/coupled_cell.h>
-#include <springfit/fit/programs/nonnegative_least_squares.h>
+#include <springfit/fit/cell/definiteness.h>
 #include <springfit/fit/cell/several_states.h>
+#include <springfit/fit/programs/nonnegative_least_squares.h>
 #include <springfit/springs/network.h>
 
 #include <cmath>
@@ -124,5 +126,36 @@ namespace springfit
     for (std::size_t m = 0; m < couplings.size(); ++m)
       couplings[m].stiffness = c[n + m];
     return coupled_model(problem, c.head(n), couplings);
+  }
+
+
+  namespace
+  {
+    CellModel
+    fit_coupled(const FitProblem &problem, const FitOptions &options)
+    {
+      const Eigen::Index n_nonnegative =
+        options.nonnegative ? problem.springs.size() : 0;
+      const CellModel found = fit_coupled_over_states(problem, n_nonnegative);
+      if (!options.nonnegative ||
+          is_definite(smallest_eigenvalue(problem, found)))
+        return found;
+      // At rest it equals the reference.
+      return furthest_definite(problem, fit_coupled_cell(problem), found);
+    }
+  } // namespace
+
+
+  FittedCell
+  fit_states(const FitProblem &problem, const FitOptions &options)
+  {
+    if (options.enrichment == Enrichment::coupling)
+      return {fit_coupled(problem, options)};
+    return approximate(
+      problem,
+      options,
+      [&problem](const CellTerms &terms, const Eigen::Index n_nonnegative) {
+        return FittedCell{fit_over_states(problem, terms, n_nonnegative)};
+      });
   }
 } // namespace springfit

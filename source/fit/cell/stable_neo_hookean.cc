@@ -135,4 +135,13 @@ namespace springfit
   {
     return {{springs(problem), mean_volume(problem, law)}};
   }
+
+
+  FittedCell
+  fit_stable_neo_hookean(const FitProblem &problem, const FitOptions &options)
+  {
+    return {options.enrichment == Enrichment::point_volumes
+              ? fit_stable_neo_hookean_points(problem, options.volume_law)
+              : fit_stable_neo_hookean_volume(problem, options.volume_law)};
+  }
 } // namespace springfit

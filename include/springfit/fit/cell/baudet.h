@@ -3,6 +3,9 @@
 
 #include <springfit/core/cell_kind.h>
 #include <springfit/fit/cell_material.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 #include <springfit/springs/rest_families.h>
 
 #include <Eigen/Core>
@@ -66,6 +69,10 @@ namespace springfit
   baudet_assumptions(const Eigen::MatrixXd &points,
                      CellKind kind,
                      const IsotropicMaterial &material);
+
+  /** Of a cell: the springs, and the couplings if asked for. */
+  FittedCell
+  fit_baudet(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

@@ -1,6 +1,10 @@
 #ifndef springfit_fit_cell_block_h
 #define springfit_fit_cell_block_h
 
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
+
 #include <Eigen/Core>
 
 namespace springfit
@@ -23,6 +27,10 @@ namespace springfit
             const Eigen::MatrixXd &R,
             Eigen::Index dim,
             Eigen::Index n_nonnegative);
+
+  /** Of a cell, see approximation.h. */
+  FittedCell
+  fit_block(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

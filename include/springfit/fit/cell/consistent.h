@@ -2,6 +2,9 @@
 #define springfit_fit_cell_consistent_h
 
 #include <springfit/fit/cell/spectral.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
 
@@ -62,6 +65,12 @@ namespace springfit
                                    const Eigen::MatrixXd &B,
                                    const Eigen::MatrixXd &R,
                                    Eigen::Index n_nonnegative);
+
+  /**
+   * Of a cell, see approximation.h; in FitOptions::norm.
+   */
+  FittedCell
+  fit_consistent(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

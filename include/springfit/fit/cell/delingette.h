@@ -2,6 +2,9 @@
 #define springfit_fit_cell_delingette_h
 
 #include <springfit/fit/cell_material.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 #include <springfit/springs/rest_families.h>
 
 #include <Eigen/Core>
@@ -35,6 +38,10 @@ namespace springfit
   std::vector<LengthCoupling>
   delingette_couplings(const Eigen::MatrixXd &points,
                        const IsotropicMaterial &material);
+
+  /** Of a cell: the springs, and the couplings if asked for. */
+  FittedCell
+  fit_delingette(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

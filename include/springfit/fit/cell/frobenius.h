@@ -1,6 +1,10 @@
 #ifndef springfit_fit_cell_frobenius_h
 #define springfit_fit_cell_frobenius_h
 
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
+
 #include <Eigen/Core>
 
 namespace springfit
@@ -35,6 +39,12 @@ namespace springfit
   fit_frobenius(const Eigen::MatrixXd &B,
                 const Eigen::MatrixXd &R,
                 Eigen::Index n_nonnegative);
+
+  /**
+   * Of a cell, see approximation.h; with states as several_states.h says.
+   */
+  FittedCell
+  fit_frobenius(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

@@ -3,6 +3,9 @@
 
 #include <springfit/core/cell_kind.h>
 #include <springfit/fit/cell_material.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
 
@@ -21,6 +24,10 @@ namespace springfit
   fit_gelder(const Eigen::MatrixXd &points,
              CellKind kind,
              const IsotropicMaterial &material);
+
+  /** Of a cell: these springs alone. */
+  FittedCell
+  fit_gelder(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

@@ -2,6 +2,9 @@
 #define springfit_fit_cell_golec_h
 
 #include <springfit/fit/cell_material.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
 
@@ -38,7 +41,13 @@ namespace springfit
 
   /** The assumptions that a cell does not meet, as parts of a sentence. */
   std::vector<std::string>
-  golec_assumptions(const IsotropicMaterial &material);
+  golec_assumptions(const Eigen::MatrixXd &points,
+                    CellKind kind,
+                    const IsotropicMaterial &material);
+
+  /** Of a cell: springs and volume. */
+  FittedCell
+  fit_golec(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

@@ -3,6 +3,9 @@
 
 #include <springfit/core/cell_kind.h>
 #include <springfit/fit/cell_material.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
+#include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
 
@@ -37,6 +40,10 @@ namespace springfit
   lloyd_assumptions(const Eigen::MatrixXd &points,
                     CellKind kind,
                     const IsotropicMaterial &material);
+
+  /** Of a cell: these springs alone. */
+  FittedCell
+  fit_lloyd(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

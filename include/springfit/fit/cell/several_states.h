@@ -1,8 +1,10 @@
 #ifndef springfit_fit_cell_several_states_h
 #define springfit_fit_cell_several_states_h
 
-#include <springfit/fit/cell_model.h>
 #include <springfit/fit/cell/cell_terms.h>
+#include <springfit/fit/cell_model.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
 #include <springfit/fit/problem.h>
 
 #include <Eigen/Core>
@@ -65,6 +67,17 @@ namespace springfit
   CellModel
   fit_coupled_over_states(const FitProblem &problem,
                           Eigen::Index n_nonnegative);
+
+  /**
+   * The forces of a cell that shall suit its states, the minimiser of one of
+   * the sums above. With FitOptions::nonnegative it is moved towards a definite
+   * one as approximate() does; with all couplings towards the one that is exact
+   * at rest.
+   *
+   * @throws RunError as above.
+   */
+  FittedCell
+  fit_states(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif

@@ -2,6 +2,8 @@
 #define springfit_fit_cell_stable_neo_hookean_h
 
 #include <springfit/fit/cell_model.h>
+#include <springfit/fit/fitted_cell.h>
+#include <springfit/fit/options.h>
 #include <springfit/fit/problem.h>
 #include <springfit/springs/volume_law.h>
 
@@ -44,6 +46,13 @@ namespace springfit
    */
   CellModel
   fit_stable_neo_hookean_volume(const FitProblem &problem, VolumeLaw law);
+
+  /**
+   * Of a cell: with point volumes or the volume, under the volume law asked
+   * for.
+   */
+  FittedCell
+  fit_stable_neo_hookean(const FitProblem &problem, const FitOptions &options);
 } // namespace springfit
 
 #endif
