@@ -17,7 +17,7 @@ namespace springfit
   /**
    * A body's response with all nonlinearities of its energy: the load grows in
    * steps that adapt, each solved by Newton's method, along equilibria that are
-   * stable and turn no cell inside out.
+   * stable and that the judge accepts.
    */
   template <int dim>
   class NonlinearModel : public Model

@@ -7,7 +7,6 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <map>
 #include <vector>
 
 namespace springfit
