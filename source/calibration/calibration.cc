@@ -2,6 +2,7 @@
 #include <springfit/calibration/cell_fits.h>
 #include <springfit/calibration/cell_network.h>
 #include <springfit/calibration/distinct_cells.h>
+#include <springfit/calibration/mechanisms.h>
 #include <springfit/calibration/object_calibration.h>
 #include <springfit/core/words.h>
 
@@ -195,6 +196,7 @@ namespace springfit
                               {section.states(), law, section.spring_law()},
                               name,
                               session);
+        warn_of_mechanisms(fitted, name, session);
         if (has(*row.method, Feature::finite_element) && !is_explained)
           is_explained = explain_negative_springs(fitted.network, session);
         networks.push_back({std::move(fitted),

@@ -126,13 +126,6 @@ namespace springfit
                    (options.nonnegative
                       ? ""
                       : " Set 'Nonnegative = true' in section Fit."));
-    if (found.n_mechanisms > 0)
-      session.warn(
-        "The springs of the fit '" + name +
-        "' make the object a mechanism: " + std::to_string(found.n_mechanisms) +
-        " of its deformations cost no energy, as springs that hold "
-        "them are zero. Set another 'Enrichment' or another fit in "
-        "'Methods' of section Fit, or make the mesh finer.");
     return fitted;
   }
 

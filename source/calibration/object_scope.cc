@@ -161,12 +161,10 @@ namespace springfit
     const auto &R        = problem.stiffness;
     const SparseMatrix K = fitted_stiffness(problem, constants);
     const SparseMatrix E = R - K;
-    const FreeBody body(K, problem.nodes);
     return {constants,
             E.norm() / R.norm(),
             spectral_norm(E) / spectral_norm(R),
-            body.n_unstable(),
-            body.n_mechanisms()};
+            FreeBody(K, problem.nodes).n_unstable()};
   }
 
   template Eigen::SparseMatrix<double>

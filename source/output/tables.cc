@@ -12,7 +12,8 @@ namespace springfit
   {
     CsvTable table("case,fit,enrichment,kinematics,e_rms_percent,e_max_percent,"
                    "E_out,nu_out,n_nodes,n_cells,n_springs,n_negative,"
-                   "calibrate_s,fem_s,lem_s");
+                   "calibrate_s,fem_s,lem_s,e_rms_loaded_percent,"
+                   "e_max_loaded_percent");
     for (const auto &row : rows)
       {
         std::optional<double> youngs_modulus, poissons_ratio;
@@ -26,7 +27,9 @@ namespace springfit
               << row.errors.e_rms_percent << row.errors.e_max_percent
               << youngs_modulus << poissons_ratio << row.n_nodes << row.n_cells
               << row.n_springs << row.n_negative << row.calibrate_seconds
-              << row.fem_seconds << row.lem_seconds;
+              << row.fem_seconds << row.lem_seconds
+              << row.errors_where_loaded.e_rms_percent
+              << row.errors_where_loaded.e_max_percent;
       }
     table.write(folder / "comparison.csv");
   }

@@ -82,9 +82,8 @@ namespace springfit
     double frobenius_residual;
     double spectral_residual;
 
-    // Of the object that nothing holds.
-    unsigned int n_unstable;   // deformations that release energy
-    unsigned int n_mechanisms; // deformations that cost none
+    /** Of the object that nothing holds: deformations that release energy. */
+    unsigned int n_unstable;
   };
 
   /** What an object with these constants is. */

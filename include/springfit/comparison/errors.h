@@ -6,10 +6,10 @@
 namespace springfit
 {
   /**
-   * How far two models of one mesh are apart (Natsupakpong and Cavusoglu
-   * 2010): with e_i the distance between the two positions of node i and o_max
-   * the largest displacement of the finite element model, the root mean square
-   * and the largest of e_i over all nodes, in per cent of o_max.
+   * How far two models are apart at some nodes of their mesh: with e_i the
+   * distance between the two positions of node i and o_max the largest
+   * displacement of the finite element model anywhere, the root mean square and
+   * the largest of e_i over these nodes, in per cent of o_max.
    */
   struct ErrorNorms
   {
@@ -25,8 +25,19 @@ namespace springfit
   double
   largest_displacement(const Eigen::MatrixXd &displacement);
 
+  /** Over all nodes (Natsupakpong and Cavusoglu 2010). */
   ErrorNorms
   error_norms(const Eigen::MatrixXd &reference, const Eigen::MatrixXd &model);
+
+  /**
+   * Over the nodes that @p forces (dim x n_nodes, N) load, of which there must
+   * be some: where a load is local the mean over all nodes hides the error
+   * there.
+   */
+  ErrorNorms
+  error_norms_where_loaded(const Eigen::MatrixXd &reference,
+                           const Eigen::MatrixXd &model,
+                           const Eigen::MatrixXd &forces);
 } // namespace springfit
 
 #endif

@@ -20,6 +20,7 @@ namespace springfit
     std::string enrichment;
     std::string kinematics;
     ErrorNorms errors;
+    ErrorNorms errors_where_loaded;
     std::optional<YoungPoisson> delivered; // of the tension case
     unsigned int n_nodes;
     unsigned int n_cells;

@@ -18,10 +18,10 @@ namespace springfit
 
     const FittedCell wanted = fit(terms, terms.n_springs);
     if (is_definite(smallest_eigenvalue(problem, wanted.model)))
-      return wanted;
+      return {without_mechanisms(problem, wanted.model)};
     const FittedCell safe = fit(terms, terms.norms.size());
-    if (safe.duality_gap)
-      return safe;
-    return {furthest_definite(problem, safe.model, wanted.model)};
+    return {
+      without_mechanisms(problem,
+                         furthest_definite(problem, safe.model, wanted.model))};
   }
 } // namespace springfit

@@ -5,7 +5,6 @@
 #include <springfit/fit/programs/nonnegative_least_squares.h>
 #include <springfit/springs/rigid_modes.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 #include <cmath>
@@ -20,9 +19,6 @@ namespace springfit
     constexpr double affine_forces   = 300.;
 
     constexpr double affine_factor = 17.;
-
-    // Of the softest deformation's stiffness, see the header.
-    constexpr double least_stiffness = 0.03;
 
     /** The displacements of unit strains, as large as unit vectors on average.
      */
@@ -92,60 +88,6 @@ namespace springfit
     {
       return x * x;
     }
-
-    Eigen::MatrixXd
-    stiffness(const Eigen::MatrixXd &B, const Eigen::VectorXd &k)
-    {
-      return B * k.asDiagonal() * B.transpose();
-    }
-
-    /** The same constant for all springs, the others zero: nearest to R. */
-    Eigen::VectorXd
-    equal_springs(const Eigen::MatrixXd &B,
-                  const Eigen::MatrixXd &R,
-                  const Eigen::Index n_springs)
-    {
-      Eigen::VectorXd k         = Eigen::VectorXd::Zero(B.cols());
-      k.head(n_springs)         = Eigen::VectorXd::Ones(n_springs);
-      const Eigen::MatrixXd one = stiffness(B, k);
-      return one.cwiseProduct(R).sum() / one.squaredNorm() * k;
-    }
-
-    /**
-     * The nearest to @p k on the way to equal springs in which no deformation
-     * is softer than least_stiffness of the softest one of R. Constants that
-     * release energy are left as they are.
-     */
-    Eigen::VectorXd
-    without_mechanisms(const Eigen::MatrixXd &points,
-                       const Eigen::MatrixXd &B,
-                       const Eigen::MatrixXd &R,
-                       const Eigen::Index n_springs,
-                       const Eigen::VectorXd &k)
-    {
-      const Eigen::MatrixXd Q = deformation_basis(points);
-      const auto softest      = [&Q](const Eigen::MatrixXd &K) {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-          Q.transpose() * K * Q, Eigen::EigenvaluesOnly);
-        return eigen.eigenvalues()[0];
-      };
-      const double rounding = 1e-10 * R.norm();
-      const double least    = least_stiffness * softest(R);
-      const double found    = softest(stiffness(B, k));
-      if (found < -rounding || found >= least)
-        return k;
-
-      const Eigen::VectorXd equal = equal_springs(B, R, n_springs);
-      // What is stiff enough is a convex set.
-      double soft = 0., stiff = 1.;
-      while (stiff - soft > 1e-3 * stiff)
-        {
-          const double middle           = 0.5 * (soft + stiff);
-          const Eigen::VectorXd between = k + middle * (equal - k);
-          (softest(stiffness(B, between)) < least ? soft : stiff) = middle;
-        }
-      return k + stiff * (equal - k);
-    }
   } // namespace
 
 
@@ -176,12 +118,9 @@ namespace springfit
       squared(affine_forces), M, reached_modes(points, H), B, R);
     equations.add_block(2., M, H, B, R);
     equations.add_block(1., H, H, B, R);
-    const Eigen::VectorXd k = nonnegative_least_squares(equations.gram,
-                                                        equations.products,
-                                                        n_nonnegative);
-    return n_nonnegative > 0
-             ? without_mechanisms(points, B, R, n_nonnegative, k)
-             : k;
+    return nonnegative_least_squares(equations.gram,
+                                     equations.products,
+                                     n_nonnegative);
   }
 
 
@@ -201,15 +140,10 @@ namespace springfit
   FittedCell
   fit_consistent(const FitProblem &problem, const FitOptions &options)
   {
-    const auto in_spectral_norm = [&](const CellTerms &terms,
-                                      const Eigen::Index n_nonnegative) {
-      return solve(make_consistent_spectral_problem(problem.points,
-                                                    terms.gradients,
-                                                    problem.stiffness,
-                                                    n_nonnegative),
-                   terms,
-                   options);
-    };
+    if (options.norm == Norm::spectral && !is_simplex(problem.kind))
+      return fit_with_certificate(problem,
+                                  options,
+                                  &make_consistent_spectral_problem);
     const auto by_ladder = [&](const CellTerms &terms,
                                const Eigen::Index n_nonnegative) {
       return FittedCell{make_cell_model(terms,
@@ -218,8 +152,6 @@ namespace springfit
                                                        problem.stiffness,
                                                        n_nonnegative))};
     };
-    if (options.norm == Norm::spectral && !is_simplex(problem.kind))
-      return approximate(problem, options, in_spectral_norm);
     return approximate(problem, options, by_ladder);
   }
 } // namespace springfit

@@ -4,6 +4,8 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
+
 namespace springfit
 {
   namespace
@@ -69,6 +71,30 @@ namespace springfit
   FreeBody::n_mechanisms() const
   {
     return n_below(rounding) - n_below(-rounding);
+  }
+
+  Eigen::VectorXd
+  FreeBody::softest_motion(const Eigen::MatrixXd &others) const
+  {
+    Eigen::SparseMatrix<double> shifted = held_;
+    shifted.diagonal().array() += 10. * rounding * held_.diagonal().maxCoeff();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(shifted);
+
+    // Of no symmetry that the body may have.
+    Eigen::VectorXd motion(rigid_.rows());
+    for (Eigen::Index i = 0; i < motion.size(); ++i)
+      motion[i] = std::sin(1. + i * std::sqrt(2.));
+    for (int step = 0; step < 5; ++step)
+      {
+        motion -= others * (others.transpose() * motion);
+        const Eigen::VectorXd of_free = motion(free_);
+        const Eigen::VectorXd softer  = factors.solve(of_free);
+        motion.setZero();
+        motion(free_) = softer;
+        motion.normalize();
+      }
+    const Eigen::VectorXd found = deformation(motion);
+    return (found - others * (others.transpose() * found)).normalized();
   }
 
   Eigen::MatrixXd

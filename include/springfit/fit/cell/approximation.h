@@ -28,8 +28,8 @@ namespace springfit
    * With FitOptions::nonnegative springs are >= 0, and the others free as long
    * as the cell releases energy in no deformation: where it does, the fit with
    * all constants >= 0 cannot, and the cell is moved from that towards the
-   * wanted one, as far as it stays definite. A fit with a certificate is not
-   * moved, since that holds at the ends of the way only.
+   * wanted one, as far as it stays definite. No cell is left a mechanism, see
+   * without_mechanisms().
    *
    * @throws RunError as the fit does, or when a volume is zero or an angle
    * straight or folded.

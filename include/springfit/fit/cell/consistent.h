@@ -44,10 +44,7 @@ namespace springfit
    * With k >= 0 no rectangle or brick longer than sqrt(3) times its width can
    * be isotropic: its diagonals alone, which must be what resists shear, are
    * too stiff along it, and the springs along it vanish, which alone resist
-   * hourglass modes. Where a cell comes out without stiffness, or with less
-   * than 0.03 of R's in R's softest deformation, all springs are moved towards
-   * equal ones, which have no mechanisms, until it has that. On the specimen
-   * and on bricks of 1 : 2 this hardly moves the errors, from 0.01 to 0.1.
+   * hourglass modes: see without_mechanisms().
    */
   Eigen::VectorXd
   fit_consistent(const Eigen::MatrixXd &points,

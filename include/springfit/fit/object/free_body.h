@@ -41,6 +41,14 @@ namespace springfit
     n_mechanisms() const;
 
     /**
+     * A deformation that costs least, of length one, orthogonal to those of
+     * @p others (n x any, orthonormal): by inverse iteration, and good where
+     * it costs as good as nothing.
+     */
+    Eigen::VectorXd
+    softest_motion(const Eigen::MatrixXd &others) const;
+
+    /**
      * The displacements without rigid motions (m) under the part of
      * @p forces (n x n_cases, N) that is in equilibrium: the Moore-Penrose
      * inverse of the stiffness.
