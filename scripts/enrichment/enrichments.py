@@ -210,8 +210,8 @@ def cost_table(shortest):
     return page.markdown_table(["cells", "model", "coefficients of a cell", *WORK.values()], body)
 
 
-def bending_table():
-    return subprocess.run([TOP / "scripts" / "bending"], capture_output=True, text=True,
+def printed_by(script):
+    return subprocess.run([TOP / "scripts" / script], capture_output=True, text=True,
                           check=True).stdout
 
 
@@ -290,7 +290,7 @@ def main():
     lines = lines_of(experiments, runs)
     sweep_table, sweep_pictures = sweeps(experiments, runs, pictures)
     fill = {"origin": page.origin(TOP, PROGRAM), "summary": summary(lines),
-            "bending": bending_table(),
+            "bending": printed_by("bending"), "tension": printed_by("tension"),
             "cost": cost_table(shortest), "errors": errors(lines, experiments, pictures),
             "scopes": scope_tables(lines, experiments),
             "paper": paper_objects.table(experiments, runs),

@@ -3,6 +3,7 @@
 #include <springfit/calibration/object_calibration.h>
 #include <springfit/core/collective.h>
 #include <springfit/fit/cell/cell_terms.h>
+#include <springfit/fit/object/free_body.h>
 #include <springfit/fit/object/object_stability.h>
 
 #include <chrono>
@@ -71,9 +72,13 @@ namespace springfit
     const auto unit_network =
       assemble_network(mesh, cells, units, element, materials);
 
-    Eigen::VectorXd prior;
-    if (has(method, Feature::fields))
-      prior = constants_of_cell_fits(
+    // With all couplings they are exact.
+    const bool need_cell_fits =
+      has(method, Feature::fields) ||
+      (options.nonnegative && options.enrichment != Enrichment::coupling);
+    Eigen::VectorXd of_cells;
+    if (need_cell_fits)
+      of_cells = constants_of_cell_fits(
         cells, mesh, element, materials, method, options, law, name, session);
 
     std::optional<double> share; // of the way to the fit, where it is unstable
@@ -81,25 +86,35 @@ namespace springfit
     const auto start = std::chrono::steady_clock::now();
     ObjectFit found;
     run_collectively(session.communicator(), [&]() {
-      auto problem =
+      const auto problem =
         make_object_problem(unit_network,
                             object_stiffness(mesh, element, materials),
                             options.nonnegative);
       const auto all_fields = displacement_fields(fields, problem, responses);
-      found                 = fit_object(problem, method, all_fields, prior);
-      if (found.n_unstable > 0 && options.nonnegative &&
-          options.enrichment != Enrichment::coupling)
+      found                 = fit_object(problem, method, all_fields, of_cells);
+      if (!options.nonnegative || options.enrichment == Enrichment::coupling)
+        return;
+
+      // Between the fits of the cells and that of the object what it minimises
+      // is convex: nowhere is it more than at the former, which are definite
+      // and no mechanisms.
+      const auto move_to = [&](const double part_of_way) {
+        found = judge_object(problem,
+                             (1. - part_of_way) * of_cells +
+                               part_of_way * found.constants);
+      };
+      if (found.n_unstable > 0)
         {
-          // Volumes or angles so negative that the object gives way. Where
-          // these, too, are >= 0 it cannot.
-          problem.nonnegative.assign(problem.terms.size(), true);
-          const Eigen::VectorXd safe =
-            fit_object(problem, method, all_fields, prior).constants;
-          // Well inside, as in a fit of cells.
-          share = 0.9 * share_to_instability(problem, safe, found.constants);
-          found = judge_object(problem,
-                               (1. - *share) * safe + *share * found.constants);
+          // Volumes or angles so negative that the object gives way. Well
+          // inside, as in a fit of cells.
+          share =
+            0.9 * share_to_instability(problem, of_cells, found.constants);
+          move_to(*share);
         }
+      else if (FreeBody(fitted_stiffness(problem, found.constants),
+                        problem.nodes)
+                 .n_mechanisms() > 0)
+        move_to(0.97); // springs that are zero no longer are
     });
     const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - start;
@@ -113,11 +128,11 @@ namespace springfit
     result.n_negative         = n_negative(fitted.network.families);
     fitted.cells              = {{0, 1, result, seconds.count()}};
     if (share)
-      session.print(
+      session.warn(
         "The springs of the fit '" + name +
-        "' with springs >= 0 would be unstable. They are at " +
+        "' with springs >= 0 would be unstable. They were moved back, to " +
         std::to_string(static_cast<int>(std::lround(100. * *share))) +
-        " % of the way there from those of the fit with all constants >= 0.");
+        " % of the way there from those of the same fit of the cells.");
     if (found.n_unstable > 0)
       session.warn("The springs of the fit '" + name +
                    "' are unstable where nothing holds them: " +

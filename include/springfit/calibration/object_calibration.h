@@ -19,14 +19,17 @@
 namespace springfit
 {
   /**
-   * Fit all springs of a mesh at once. Warns of springs that are unstable or
-   * a mechanism.
-   * Where with FitOptions::nonnegative they would be so, for their volumes or
-   * angles, the constants are those 90 % of the way to instability from the fit
-   * with all constants >= 0 towards them. Collective.
+   * Fit all springs of a mesh at once. Warns of springs that are unstable.
+   *
+   * With FitOptions::nonnegative the constants are moved towards those of the
+   * same fit of the cells, where they would be unstable for their volumes or
+   * angles (to 90 % of the way to instability from there, with a warning) or
+   * where springs that are zero leave a mechanism (3 % of the way). What a fit
+   * minimises is convex, so that it is never more than with the fits of the
+   * cells. Collective.
    *
    * @param cells every_cell() of the mesh
-   * @param method one of object_methods()
+   * @param method one with a Method::fit_object
    * @param fields, responses see displacement_fields(); of the consistent fit
    * @param name of the fit, for messages
    *
