@@ -205,6 +205,7 @@ namespace springfit
                             enrichment,
                             section.scope(),
                             has(*row.method, Feature::finite_element),
+                            section.needs_responses(row),
                             timer.wall_time()});
       }
     return networks;

@@ -177,14 +177,22 @@ namespace springfit
 
   template <int dim>
   bool
-  FitSection<dim>::needs_responses() const
+  FitSection<dim>::needs_responses(const Row &row) const
   {
-    if (scope_ != Scope::object)
-      return false;
     const auto wanted = fields();
-    return any_has(rows(), Feature::fields) &&
+    return scope_ == Scope::object && has(*row.method, Feature::fields) &&
            std::find(wanted.begin(), wanted.end(), Field::responses) !=
              wanted.end();
+  }
+
+  template <int dim>
+  bool
+  FitSection<dim>::needs_responses() const
+  {
+    const auto all = rows();
+    return std::any_of(all.begin(), all.end(), [this](const Row &row) {
+      return needs_responses(row);
+    });
   }
 
   template <int dim>

@@ -13,7 +13,7 @@ namespace springfit
     CsvTable table("case,fit,enrichment,kinematics,e_rms_percent,e_max_percent,"
                    "E_out,nu_out,n_nodes,n_cells,n_springs,n_negative,"
                    "calibrate_s,fem_s,lem_s,e_rms_loaded_percent,"
-                   "e_max_loaded_percent");
+                   "e_max_loaded_percent,trained");
     for (const auto &row : rows)
       {
         std::optional<double> youngs_modulus, poissons_ratio;
@@ -29,7 +29,8 @@ namespace springfit
               << row.n_springs << row.n_negative << row.calibrate_seconds
               << row.fem_seconds << row.lem_seconds
               << row.errors_where_loaded.e_rms_percent
-              << row.errors_where_loaded.e_max_percent;
+              << row.errors_where_loaded.e_max_percent
+              << (row.is_trained ? "yes" : "no");
       }
     table.write(folder / "comparison.csv");
   }

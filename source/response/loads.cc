@@ -138,6 +138,12 @@ namespace springfit
         "the coordinate direction most perpendicular to it; "
         "torsion turns them about it." +
         (dim == 2 ? " Torsion needs three dimensions." : ""));
+    add_parameter(
+      "Training cases",
+      training_word_,
+      "Those of the cases whose responses a fit of the whole object is made "
+      "with, where it is made with 'Fields = responses'; empty: all of them "
+      "(no unit). The others are loads that it has not seen.");
     add_parameter("Fixed boundaries",
                   fixed_boundaries_,
                   "Boundary ids or physical names whose nodes are held in all "
@@ -162,10 +168,36 @@ namespace springfit
   }
 
   template <int dim>
+  std::vector<Load>
+  Loads<dim>::cases() const
+  {
+    return values_of(load_words(), cases_word_, "Loads/Cases");
+  }
+
+  template <int dim>
+  std::vector<Load>
+  Loads<dim>::training_cases() const
+  {
+    const std::string entry = "Loads/Training cases";
+    const auto all          = cases();
+    if (split_at_commas(training_word_).empty())
+      return all;
+    const auto training = values_of(load_words(), training_word_, entry);
+    for (const Load load : training)
+      if (std::find(all.begin(), all.end(), load) == all.end())
+        throw EntryError(entry,
+                         "'" + word_of(load_words(), load) +
+                           "' is not among the cases.",
+                         "Add it to 'Cases', which has " + cases_word_ + '.');
+    return training;
+  }
+
+  template <int dim>
   void
   Loads<dim>::check() const
   {
-    for (const Load load : values_of(load_words(), cases_word_, "Loads/Cases"))
+    training_cases();
+    for (const Load load : cases())
       if (dim == 2 && load == Load::torsion)
         throw EntryError("Loads/Cases",
                          "torsion needs three dimensions.",
@@ -262,11 +294,12 @@ namespace springfit
       }
     loading.extent = highest - lowest;
 
-    for (const Load load : values_of(load_words(), cases_word_, "Loads/Cases"))
+    for (const Load load : cases())
       loading.cases.push_back(
         {load,
          thickness *
            surface.forces(unit_traction(load, axis, surface), n_nodes)});
+    loading.training = training_cases();
     return loading;
   }
 

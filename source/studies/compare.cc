@@ -122,6 +122,14 @@ namespace springfit
               "in section Fit.");
     }
 
+    bool
+    is_training(const Loading &loading, const LoadCase &load_case)
+    {
+      return std::find(loading.training.begin(),
+                       loading.training.end(),
+                       load_case.load) != loading.training.end();
+    }
+
     template <int dim>
     std::vector<ComparisonRow>
     make_rows(const Scene<dim> &scene,
@@ -175,6 +183,8 @@ namespace springfit
                 row(result, response.equilibrium, response.kinematics));
               rows.back().fit        = network.fit;
               rows.back().enrichment = network.enrichment;
+              rows.back().is_trained =
+                network.is_trained && is_training(loading, result.load_case);
               rows.back().n_springs  = n_springs(network.network.families);
               rows.back().n_negative = n_negative(network.network.families);
               rows.back().calibrate_seconds = network.seconds;
@@ -311,14 +321,17 @@ namespace springfit
         }
     }
 
-    /** One column per load case, m. */
+    /** One column per load case that fits are made with, m. */
     Eigen::MatrixXd
-    linear_displacements(const std::vector<CaseResult> &results)
+    training_displacements(const Loading &loading,
+                           const std::vector<CaseResult> &results)
     {
       Eigen::MatrixXd fields(results.front().linear_displacement.size(),
-                             results.size());
-      for (std::size_t c = 0; c < results.size(); ++c)
-        fields.col(c) = results[c].linear_displacement.reshaped();
+                             loading.training.size());
+      Eigen::Index column = 0;
+      for (const auto &result : results)
+        if (is_training(loading, result.load_case))
+          fields.col(column++) = result.linear_displacement.reshaped();
       return fields;
     }
 
@@ -367,7 +380,10 @@ namespace springfit
     run_on_root(session.communicator(),
                 [&]() { remove_earlier_results(session.output_directory()); });
     auto results = find_references(scene, calibrated, loading, session);
-    calibrate_scene(scene, calibrated, linear_displacements(results), session);
+    calibrate_scene(scene,
+                    calibrated,
+                    training_displacements(loading, results),
+                    session);
     find_responses(scene, calibrated, loading, results, session);
     check_stability(calibrated, loading, session);
     const auto rows = make_rows(scene, calibrated, loading, results);

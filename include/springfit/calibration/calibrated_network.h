@@ -46,6 +46,9 @@ namespace springfit
     /** Whether its fit has Feature::finite_element. */
     bool is_finite_element;
 
+    /** Whether it was made with responses to the scene's loads. */
+    bool is_trained;
+
     double seconds; // wall time of the calibration
   };
 } // namespace springfit

@@ -75,7 +75,11 @@ namespace springfit
     std::vector<std::string>
     unused_entries(CellKind kind) const;
 
-    /** Whether fits need the scene's responses to its loads. */
+    /** Whether a fit needs the scene's responses to its loads. */
+    bool
+    needs_responses(const Row &row) const;
+
+    /** Whether any of them does. */
     bool
     needs_responses() const;
 

@@ -21,6 +21,9 @@ namespace springfit
     std::string kinematics;
     ErrorNorms errors;
     ErrorNorms errors_where_loaded;
+
+    /** Whether the fit was made with the response to this load. */
+    bool is_trained;
     std::optional<YoungPoisson> delivered; // of the tension case
     unsigned int n_nodes;
     unsigned int n_cells;

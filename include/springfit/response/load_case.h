@@ -38,6 +38,9 @@ namespace springfit
     double extent;               // of the body along the axis, m
     double deformation;          // wanted largest displacement / extent
     std::vector<LoadCase> cases; // of a traction of 1 Pa
+
+    /** Those of them that a fit may be made with. */
+    std::vector<Load> training;
   };
 } // namespace springfit
 

@@ -8,6 +8,7 @@
 #include <deal.II/base/parameter_acceptor.h>
 
 #include <string>
+#include <vector>
 
 namespace springfit
 {
@@ -50,7 +51,15 @@ namespace springfit
     std::vector<bool>
     fixed_nodes(const Mesh<dim> &mesh) const;
 
+    std::vector<Load>
+    cases() const;
+
+    /** @throws EntryError when one of them is not among the cases. */
+    std::vector<Load>
+    training_cases() const;
+
     std::string cases_word_;
+    std::string training_word_;
     std::string fixed_boundaries_  = "0";
     std::string loaded_boundaries_ = "1";
     std::string fixed_region_;
