@@ -179,13 +179,15 @@ def summary(lines):
     at = " / ".join(f"{nu:g}" for nu in IN_SHORT)
     return page.markdown_table(
         ["cells", "mesh", *(f"{model(e)}, nu = {at}" for e in ENRICHMENTS),
-         *(f"stable neo-hookean + {e}" for e in EXACT[1])], body)
+         *(f"stable neo-hookean + {e}, nu = {at}" for e in EXACT[1])], body)
 
 
 def coefficients_of_cell(cells, name):
     springs = VERTICES[cells] * (VERTICES[cells] - 1) // 2
-    return springs + {"none": 0, "angles": ANGLES[cells], "coupling": springs * (springs - 1) // 2,
-                      "stable neo-hookean, point volumes": POINTS[cells]}.get(name, 1)
+    if name.endswith("point volumes"):
+        return springs + POINTS[cells]
+    return springs + {"none": 0, "angles": ANGLES[cells],
+                      "coupling": springs * (springs - 1) // 2}.get(name, 1)
 
 
 def cost_table(shortest):
