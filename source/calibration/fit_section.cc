@@ -53,6 +53,15 @@ namespace springfit
         return has(*row.method, feature);
       });
     }
+
+    template <typename Row>
+    bool
+    all_have(const std::vector<Row> &rows, const Feature feature)
+    {
+      return std::all_of(rows.begin(), rows.end(), [&](const Row &row) {
+        return has(*row.method, feature);
+      });
+    }
   } // namespace
 
   template <int dim>
@@ -353,6 +362,10 @@ namespace springfit
         !any_has(rows(), Feature::finite_element))
       sentences.push_back("Fit/Volume law is not used: it is of the fit "
                           "'stable neo-hookean'.");
+    if (law_ != SpringLaw::quadratic &&
+        all_have(rows(), Feature::finite_element))
+      sentences.push_back("Fit/Spring law is not used: the springs of 'stable "
+                          "neo-hookean' have no length at rest.");
     if (options_.norm == Norm::spectral &&
         (!any_has(rows(), Feature::norm) || scope_ == Scope::object ||
          is_simplex(kind)))

@@ -33,14 +33,12 @@ namespace springfit
     }
 
 
-    /** a x b / 2 of the edges a and b from vertex 0. */
+    /** The edges a and b from vertex 0. */
     template <typename T>
-    class Triangle : public SingleVolume<CellKind::triangle, 2, 3, T>
+    struct SidesOfTriangle : SingleVolume<CellKind::triangle, 2, 3, T>
     {
-    public:
-      using typename Triangle::SingleVolume::Places;
-      using typename Triangle::SingleVolume::Values;
-      using typename Triangle::SingleVolume::Vector;
+      using typename SidesOfTriangle::SingleVolume::Places;
+      using typename SidesOfTriangle::SingleVolume::Vector;
 
       struct Edges
       {
@@ -50,34 +48,6 @@ namespace springfit
         Vector a, b;
       };
 
-      explicit Triangle(const Edges &x) : x_(x)
-      {}
-
-      Values
-      values() const
-      {
-        return {half_cross(x_.a, x_.b)};
-      }
-
-      Values
-      change(const Edges &u) const
-      {
-        return {half_cross(u.a, x_.b) + half_cross(x_.a, u.b)};
-      }
-
-      Places
-      gradient(const Values &s) const
-      {
-        return on_vertices(x_.a * s[0], x_.b * s[0]);
-      }
-
-      Places
-      product(const Values &w, const Values &s, const Edges &u) const
-      {
-        return on_vertices(x_.a * w[0] + u.a * s[0], x_.b * w[0] + u.b * s[0]);
-      }
-
-    private:
       static Places
       on_vertices(const Vector &a, const Vector &b)
       {
@@ -85,19 +55,15 @@ namespace springfit
         const Vector of_2 = turned(a) * (T() - 0.5);
         return {-(of_1 + of_2), of_1, of_2};
       }
-
-      const Edges x_;
     };
 
 
-    /** a x b / 2 of the diagonals, a from vertex 0 to 3, b from 1 to 2. */
+    /** The diagonals, a from vertex 0 to 3, b from 1 to 2. */
     template <typename T>
-    class Quadrilateral : public SingleVolume<CellKind::quadrilateral, 2, 4, T>
+    struct SidesOfQuadrilateral : SingleVolume<CellKind::quadrilateral, 2, 4, T>
     {
-    public:
-      using typename Quadrilateral::SingleVolume::Places;
-      using typename Quadrilateral::SingleVolume::Values;
-      using typename Quadrilateral::SingleVolume::Vector;
+      using typename SidesOfQuadrilateral::SingleVolume::Places;
+      using typename SidesOfQuadrilateral::SingleVolume::Vector;
 
       struct Edges
       {
@@ -107,7 +73,30 @@ namespace springfit
         Vector a, b;
       };
 
-      explicit Quadrilateral(const Edges &x) : x_(x)
+      static Places
+      on_vertices(const Vector &a, const Vector &b)
+      {
+        const Vector of_3 = turned(b) * (T() + 0.5);
+        const Vector of_1 = turned(a) * (T() + 0.5);
+        return {-of_3, of_1, -of_1, of_3};
+      }
+    };
+
+
+    /**
+     * a x b / 2 of two vectors of a cell. on_vertices() is the derivative of a
+     * and b by the vertices, transposed, applied to the derivative of a x b / 2
+     * by them.
+     */
+    template <typename Sides>
+    class Area : public Sides
+    {
+    public:
+      using typename Sides::Edges;
+      using typename Sides::Places;
+      using typename Sides::Values;
+
+      explicit Area(const Edges &x) : x_(x)
       {}
 
       Values
@@ -125,26 +114,25 @@ namespace springfit
       Places
       gradient(const Values &s) const
       {
-        return on_vertices(x_.a * s[0], x_.b * s[0]);
+        return Sides::on_vertices(x_.a * s[0], x_.b * s[0]);
       }
 
       Places
       product(const Values &w, const Values &s, const Edges &u) const
       {
-        return on_vertices(x_.a * w[0] + u.a * s[0], x_.b * w[0] + u.b * s[0]);
+        return Sides::on_vertices(x_.a * w[0] + u.a * s[0],
+                                  x_.b * w[0] + u.b * s[0]);
       }
 
     private:
-      static Places
-      on_vertices(const Vector &a, const Vector &b)
-      {
-        const Vector of_3 = turned(b) * (T() + 0.5);
-        const Vector of_1 = turned(a) * (T() + 0.5);
-        return {-of_3, of_1, -of_1, of_3};
-      }
-
       const Edges x_;
     };
+
+    template <typename T>
+    using Triangle = Area<SidesOfTriangle<T>>;
+
+    template <typename T>
+    using Quadrilateral = Area<SidesOfQuadrilateral<T>>;
 
 
     /** det (a, b, c) / 6 of the edges from vertex 0. */

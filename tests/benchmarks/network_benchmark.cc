@@ -11,9 +11,9 @@
 
 #include <springfit/core/words.h>
 #include <springfit/fit/cell/cell_terms.h>
+#include <springfit/fit/cell/stable_neo_hookean.h>
 #include <springfit/fit/enrichment.h>
 #include <springfit/fit/problem.h>
-#include <springfit/fit/cell/stable_neo_hookean.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/spring_law.h>
 #include <springfit/springs/volume_law.h>

@@ -577,8 +577,9 @@ namespace
             for (const int n_across : {1, 2, 4})
               {
                 const auto found = deflection(model, n_across, nu);
-                all += (all.empty() ? "" : " /") +
-                       (found ? text(std::vector<double>{*found}) : " unstable");
+                all +=
+                  (all.empty() ? "" : " /") +
+                  (found ? text(std::vector<double>{*found}) : " unstable");
               }
             std::printf("%s |", all.c_str());
           }

@@ -1,8 +1,8 @@
 // Fits of all springs of an object at once, against dense linear algebra.
 
 #include <springfit/core/error.h>
-#include <springfit/fit/object/compliance.h>
 #include <springfit/fit/displacement_fields.h>
+#include <springfit/fit/object/compliance.h>
 #include <springfit/fit/object/free_body.h>
 #include <springfit/fit/object/object_fit.h>
 #include <springfit/fit/object/object_stability.h>

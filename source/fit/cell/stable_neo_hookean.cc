@@ -90,34 +90,25 @@ namespace springfit
       return family;
     }
 
-    Family
-    mean_volume(const FitProblem &problem, const VolumeLaw law)
-    {
-      const std::vector<double> rest = {
-        spring_volume(problem.points, problem.kind)};
-      if (law == VolumeLaw::quadratic)
-        return of_cell(problem,
-                       volumes(problem.kind),
-                       quadratic(problem, rest));
-      return of_cell(problem,
-                     problem.material.is_in_plane_stress
-                       ? logarithmic_areas_in_plane_stress(problem.kind)
-                       : logarithmic_volumes(problem.kind),
-                     logarithmic(problem, rest));
-    }
+    using KindOfVolumes = const SpringKind &(*)(CellKind);
 
+    /** Volumes of the kind that the law and the material ask for. */
     Family
-    volumes_at_points(const FitProblem &problem, const VolumeLaw law)
+    under_pressure(const FitProblem &problem,
+                   const VolumeLaw law,
+                   const std::vector<double> &rest,
+                   const KindOfVolumes of_quadratic_law,
+                   const KindOfVolumes of_logarithmic_law,
+                   const KindOfVolumes in_plane_stress)
     {
-      const auto rest = spring_point_volumes(problem.points, problem.kind);
       if (law == VolumeLaw::quadratic)
         return of_cell(problem,
-                       point_volumes(problem.kind),
+                       of_quadratic_law(problem.kind),
                        quadratic(problem, rest));
       return of_cell(problem,
                      problem.material.is_in_plane_stress
-                       ? logarithmic_point_areas_in_plane_stress(problem.kind)
-                       : logarithmic_point_volumes(problem.kind),
+                       ? in_plane_stress(problem.kind)
+                       : of_logarithmic_law(problem.kind),
                      logarithmic(problem, rest));
     }
   } // namespace
@@ -127,13 +118,25 @@ namespace springfit
   {
     if (is_simplex(problem.kind))
       return fit_stable_neo_hookean_volume(problem, law);
-    return {{springs(problem), volumes_at_points(problem, law)}};
+    return {{springs(problem),
+             under_pressure(problem,
+                            law,
+                            spring_point_volumes(problem.points, problem.kind),
+                            &point_volumes,
+                            &logarithmic_point_volumes,
+                            &logarithmic_point_areas_in_plane_stress)}};
   }
 
   CellModel
   fit_stable_neo_hookean_volume(const FitProblem &problem, const VolumeLaw law)
   {
-    return {{springs(problem), mean_volume(problem, law)}};
+    return {{springs(problem),
+             under_pressure(problem,
+                            law,
+                            {spring_volume(problem.points, problem.kind)},
+                            &volumes,
+                            &logarithmic_volumes,
+                            &logarithmic_areas_in_plane_stress)}};
   }
 
 
