@@ -1,5 +1,7 @@
 #include <springfit/core/error.h>
+#include <springfit/core/isolated.h>
 #include <springfit/mesh/facets.h>
+#include <springfit/mesh/geo_script.h>
 #include <springfit/mesh/gmsh_model.h>
 #include <springfit/mesh/mesh_checks.h>
 #include <springfit/mesh/objects.h>
@@ -8,13 +10,16 @@
 
 #include <gmsh.h>
 
+#include <boost/archive/binary_iarchive.hpp>
+#include <boost/archive/binary_oarchive.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iostream>
+#include <new>
 #include <sstream>
-#include <streambuf>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace springfit
@@ -27,33 +32,19 @@ namespace springfit
       return "Mesh file '" + request.file.string() + "'";
     }
 
-    // OpenCASCADE, which reads .step for gmsh, writes its errors to the screen.
-    class QuietScreen
-    {
-    public:
-      QuietScreen() : buffer_(std::cout.rdbuf(nullptr))
-      {}
+    const char *const readable_formats =
+      "Mend it, or give a mesh in one of the formats .msh (1 to 4), "
+      ".vtk, .inp, .unv, .mesh, .bdf, or a geometry in .geo, "
+      ".step, .brep.";
 
-      ~QuietScreen()
-      {
-        std::cout.rdbuf(buffer_);
-      }
-
-      QuietScreen(const QuietScreen &) = delete;
-      QuietScreen &
-      operator=(const QuietScreen &) = delete;
-
-    private:
-      std::streambuf *const buffer_;
-    };
-
-    // What gmsh does, with its complaint as the message when it fails.
+    // What gmsh does, with its complaint as the message when it fails. It
+    // throws its complaints as strings; exceptions are those of the library
+    // inside, which tell a user nothing.
     template <typename Action>
     void
     run_gmsh(const std::string &name, const Action &action)
     {
-      const QuietScreen quiet;
-      std::string complaint;
+      std::string complaint = "it is not what its ending says, or damaged";
       try
         {
           action();
@@ -63,19 +54,19 @@ namespace springfit
         {
           throw;
         }
+      catch (const std::bad_alloc &)
+        {
+          throw;
+        }
       catch (const std::string &error)
         {
-          complaint = error;
+          if (!error.empty())
+            complaint = error.substr(0, error.find('\n'));
         }
-      catch (const std::exception &error)
-        {
-          complaint = error.what();
-        }
-      throw InputError(
-        name + " cannot be read by gmsh (" + complaint + ").",
-        "Mend it, or give a mesh in one of the formats .msh (1 to 4), "
-        ".vtk, .inp, .unv, .mesh, .bdf, or a geometry in .geo, "
-        ".step, .brep.");
+      catch (...)
+        {}
+      throw InputError(name + " cannot be read by gmsh (" + complaint + ").",
+                       readable_formats);
     }
 
     bool
@@ -217,6 +208,102 @@ namespace springfit
         for (double &x : vertex)
           x *= scale;
     }
+    // What the child does: read the file in gmsh.
+    MeshDescription
+    read_file(const ObjectRequest &request)
+    {
+      const std::string name = name_of(request);
+      const GmshSession gmsh_session;
+      open_with_groups(request.file, request.dim);
+
+      const bool has_own_cells = !is_unmeshed_geometry();
+      if (!has_own_cells)
+        mesh_geometry(request);
+      check_dimension(name, request.dim);
+
+      GmshCells cells = read_gmsh_cells(name, request.dim);
+      if (has_own_cells)
+        warn_of_unused_cell_size(cells.mesh, request);
+      scale_to_metres(cells.mesh, request.scale);
+      check_coordinates(cells.mesh);
+      check_no_duplicate_cells(cells.mesh);
+      if (request.dim == 2)
+        put_into_plane(cells.mesh);
+      read_materials(cells);
+      read_boundaries(cells);
+      return cells.mesh;
+    }
+
+    /** What the child sends: a mesh, or an error with the entry it is about. */
+    struct Answer
+    {
+      MeshDescription mesh;
+      std::string error;
+      std::string entry;
+
+      template <typename Archive>
+      void
+      serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &mesh &error &entry;
+      }
+    };
+
+    std::string
+    answer(const ObjectRequest &request)
+    {
+      Answer answer;
+      try
+        {
+          run_gmsh(name_of(request),
+                   [&]() { answer.mesh = read_file(request); });
+        }
+      catch (const EntryError &error)
+        {
+          answer.error = error.what();
+          answer.entry = error.entry;
+        }
+      catch (const InputError &error)
+        {
+          answer.error = error.what();
+        }
+      std::ostringstream text;
+      boost::archive::binary_oarchive(text) << answer;
+      return text.str();
+    }
+
+    /** @throws EntryError or InputError, if that is the answer. */
+    MeshDescription
+    mesh_of(const std::string &text)
+    {
+      Answer answer;
+      std::istringstream stream(text);
+      boost::archive::binary_iarchive(stream) >> answer;
+      if (!answer.entry.empty())
+        throw EntryError(answer.entry, answer.error);
+      if (!answer.error.empty())
+        throw InputError(answer.error);
+      return std::move(answer.mesh);
+    }
+
+    bool
+    is_geometry_file(const std::filesystem::path &file)
+    {
+      const std::string ending = file.extension();
+      return ending == ".geo" || ending == ".step" || ending == ".stp" ||
+             ending == ".brep" || ending == ".iges" || ending == ".igs";
+    }
+
+    // A mesh is read in a few seconds and a few hundred bytes for each of its
+    // own; what a geometry needs is in its cells, not in its size.
+    WorkLimits
+    limits_for(const std::filesystem::path &file)
+    {
+      if (is_geometry_file(file))
+        return {1800., std::size_t(64) << 30};
+      const double n = std::filesystem::file_size(file);
+      return {40. + n / 1e6, (std::size_t(1) << 30) + std::size_t(200. * n)};
+    }
   } // namespace
 
 
@@ -264,25 +351,36 @@ namespace springfit
   describe_file(const ObjectRequest &request)
   {
     check_file_is_readable(request);
-    const std::string name = name_of(request);
-    const GmshSession gmsh_session;
-    run_gmsh(name, [&]() { open_with_groups(request.file, request.dim); });
-
-    const bool has_own_cells = !is_unmeshed_geometry();
-    if (!has_own_cells)
-      mesh_geometry(request);
-    check_dimension(name, request.dim);
-
-    GmshCells cells = read_gmsh_cells(name, request.dim);
-    if (has_own_cells)
-      warn_of_unused_cell_size(cells.mesh, request);
-    scale_to_metres(cells.mesh, request.scale);
-    check_coordinates(cells.mesh);
-    check_no_duplicate_cells(cells.mesh);
-    if (request.dim == 2)
-      put_into_plane(cells.mesh);
-    read_materials(cells);
-    read_boundaries(cells);
-    return cells.mesh;
+    if (request.file.extension() == ".geo")
+      check_geo_script(request.file);
+    const IsolatedWork reading =
+      run_isolated(limits_for(request.file), [&]() { return answer(request); });
+    switch (reading.ending)
+      {
+        case WorkEnding::answered:
+          break;
+        case WorkEnding::crashed:
+          throw InputError(name_of(request) + " makes gmsh crash.",
+                           "It is probably damaged: look for wrong counts, "
+                           "missing lines and numbers of nodes that are not "
+                           "there, or write the file anew.");
+        case WorkEnding::too_slow:
+          throw InputError(
+            name_of(request) + " keeps gmsh busy for more than " +
+              std::to_string(
+                static_cast<int>(limits_for(request.file).seconds)) +
+              " s.",
+            is_geometry_file(request.file)
+              ? "Ask for larger cells, in the file too, or mesh it in gmsh "
+                "and give the mesh."
+              : "It is probably damaged: look for wrong counts and missing "
+                "lines, or write the file anew.");
+        case WorkEnding::too_large:
+          throw InputError(name_of(request) + " asks for more memory than a "
+                                              "file of its size can need.",
+                           "It is probably damaged: look for counts and "
+                           "numbers that are far too large.");
+      }
+    return mesh_of(reading.answer);
   }
 } // namespace springfit
