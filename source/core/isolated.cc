@@ -13,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <new>
 
@@ -28,6 +29,9 @@ namespace springfit
     // The first byte of an answer: without it, a child that calls exit(0) has
     // not answered.
     constexpr char mark = 'A';
+
+    // The child's end of the pipe, for its last words.
+    int last_words = -1;
 
     void
     limit_memory(const std::size_t bytes)
@@ -69,6 +73,25 @@ namespace springfit
       return true;
     }
 
+    // A string, as gmsh throws it, says what is wrong; other exceptions tell a
+    // user nothing. gmsh throws in its threads, too, which ends the child here.
+    [[noreturn]] void
+    complain()
+    {
+      try
+        {
+          if (std::current_exception())
+            throw;
+        }
+      catch (const std::string &complaint)
+        {
+          write_all(last_words, complaint);
+        }
+      catch (...)
+        {}
+      _exit(status_of_exception);
+    }
+
     // _exit, because libraries that have read nonsense crash in their
     // destructors, too.
     [[noreturn]] void
@@ -78,7 +101,8 @@ namespace springfit
     {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       be_silent();
-      std::set_terminate([]() { _exit(status_of_exception); });
+      last_words = file;
+      std::set_terminate(complain);
       limit_memory(limits.bytes);
       try
         {
@@ -91,7 +115,7 @@ namespace springfit
         }
       catch (...)
         {
-          _exit(status_of_exception);
+          complain();
         }
     }
 
@@ -165,6 +189,8 @@ namespace springfit
       return {WorkEnding::too_slow, ""};
     if (WIFEXITED(status) && WEXITSTATUS(status) == status_of_too_large)
       return {WorkEnding::too_large, ""};
+    if (WIFEXITED(status) && WEXITSTATUS(status) == status_of_exception)
+      return {WorkEnding::crashed, answer};
     if (!WIFEXITED(status) || WEXITSTATUS(status) != status_of_answer ||
         answer.empty() || answer[0] != mark)
       return {WorkEnding::crashed, ""};

@@ -14,9 +14,11 @@
 #include <boost/archive/binary_oarchive.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <new>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -286,10 +288,42 @@ namespace springfit
       return std::move(answer.mesh);
     }
 
+    /** In small letters, as ".geo". */
+    std::string
+    ending_of(const std::filesystem::path &file)
+    {
+      std::string ending = file.extension();
+      std::transform(ending.begin(),
+                     ending.end(),
+                     ending.begin(),
+                     [](const unsigned char c) { return std::tolower(c); });
+      return ending;
+    }
+
+    // gmsh takes a file of an ending that it does not know for a script.
+    bool
+    may_be_script(const std::filesystem::path &file)
+    {
+      static const std::set<std::string> others = {".bdf",
+                                                   ".brep",
+                                                   ".iges",
+                                                   ".igs",
+                                                   ".inp",
+                                                   ".mesh",
+                                                   ".msh",
+                                                   ".nas",
+                                                   ".step",
+                                                   ".stl",
+                                                   ".stp",
+                                                   ".unv",
+                                                   ".vtk"};
+      return others.count(ending_of(file)) == 0;
+    }
+
     bool
     is_geometry_file(const std::filesystem::path &file)
     {
-      const std::string ending = file.extension();
+      const std::string ending = ending_of(file);
       return ending == ".geo" || ending == ".step" || ending == ".stp" ||
              ending == ".brep" || ending == ".iges" || ending == ".igs";
     }
@@ -351,7 +385,7 @@ namespace springfit
   describe_file(const ObjectRequest &request)
   {
     check_file_is_readable(request);
-    if (request.file.extension() == ".geo")
+    if (may_be_script(request.file))
       check_geo_script(request.file);
     const IsolatedWork reading =
       run_isolated(limits_for(request.file), [&]() { return answer(request); });
@@ -360,6 +394,11 @@ namespace springfit
         case WorkEnding::answered:
           break;
         case WorkEnding::crashed:
+          if (!reading.answer.empty())
+            throw InputError(
+              name_of(request) + " cannot be read or meshed by gmsh (" +
+                reading.answer.substr(0, reading.answer.find('\n')) + ").",
+              readable_formats);
           throw InputError(name_of(request) + " makes gmsh crash.",
                            "It is probably damaged: look for wrong counts, "
                            "missing lines and numbers of nodes that are not "

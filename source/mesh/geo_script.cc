@@ -19,8 +19,6 @@ namespace springfit
                                                      "Error",
                                                      "NonBlockingSystemCall",
                                                      "OnelabRun",
-                                                     "Print",
-                                                     "Save",
                                                      "SyncModel",
                                                      "System",
                                                      "SystemCall"};
@@ -127,7 +125,7 @@ namespace springfit
                                ": the command " + word +
                                " is not run by springfit.",
                              "Remove it: a .geo shall describe a geometry, not "
-                                         "run programs, write files or end gmsh.");
+                                         "run programs or end gmsh.");
           if (word.size() > 2 && word[0] == '"' &&
               (last == "Include" || last == "Merge"))
             {

@@ -26,7 +26,12 @@ namespace springfit
   struct IsolatedWork
   {
     WorkEnding ending;
-    std::string answer; // empty unless the ending is answered
+
+    /**
+     * What the work returned. Of a crash: the string that it threw and did not
+     * catch, or that a library threw where nobody can catch it; mostly empty.
+     */
+    std::string answer;
   };
 
   /**

@@ -36,12 +36,23 @@ namespace springfit
       return W;
     }
 
+    /** Lame's constants times the thickness, N/m in 2-d and Pa in 3-d. */
+    struct LameConstants
+    {
+      explicit LameConstants(const FitProblem &problem)
+        : lambda(problem.material.thickness *
+                 first_lame_constant(problem.points.rows(), problem.material))
+        , mu(problem.material.thickness * shear_modulus(problem.material))
+      {}
+
+      double lambda, mu;
+    };
+
     Family
     springs(const FitProblem &problem)
     {
       const Eigen::MatrixXd W = integrals_of_gradients(problem);
-      const double mu =
-        problem.material.thickness * shear_modulus(problem.material);
+      const double mu         = LameConstants(problem).mu;
       Family family(zero_lengths(problem.points.rows()));
       for (const auto &[a, b] : problem.springs)
         family.add({a, b}, {{-mu * W(a, b)}, {0.}});
@@ -52,16 +63,12 @@ namespace springfit
     std::vector<std::vector<double>>
     quadratic(const FitProblem &problem, const std::vector<double> &rest)
     {
-      const auto &material = problem.material;
-      const double mu      = material.thickness * shear_modulus(material);
-      const double lambda =
-        material.thickness *
-        first_lame_constant(problem.points.rows(), material);
-      const double alpha = 1. + mu / (lambda + mu);
+      const LameConstants lame(problem);
+      const double alpha = 1. + lame.mu / (lame.lambda + lame.mu);
       std::vector<double> k, rest_volume;
       for (const double V : rest)
         {
-          k.push_back((lambda + mu) / V);
+          k.push_back((lame.lambda + lame.mu) / V);
           rest_volume.push_back(alpha * V);
         }
       return {k, rest_volume};
@@ -70,13 +77,9 @@ namespace springfit
     std::vector<std::vector<double>>
     logarithmic(const FitProblem &problem, const std::vector<double> &rest)
     {
-      const auto &material = problem.material;
-      const double mu      = material.thickness * shear_modulus(material);
-      const double lambda =
-        material.thickness *
-        first_lame_constant(problem.points.rows(), material);
-      return {std::vector<double>(rest.size(), mu),
-              std::vector<double>(rest.size(), lambda),
+      const LameConstants lame(problem);
+      return {std::vector<double>(rest.size(), lame.mu),
+              std::vector<double>(rest.size(), lame.lambda),
               rest};
     }
 
