@@ -1,11 +1,13 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/core/incomplete_error.h>
 #include <springfit/core/parameters.h>
 #include <springfit/core/session.h>
 #include <springfit/core/unexpected.h>
 #include <springfit/core/version.h>
 #include <springfit/core/words.h>
+#include <springfit/output/result_names.h>
 #include <springfit/studies/study.h>
 
 #include <deal.II/base/mpi.h>
@@ -16,6 +18,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -110,7 +113,7 @@ namespace
     prm.leave_subsection();
 
     run_on_root(session.communicator(), [&]() {
-      const auto &folder = session.output_directory();
+      const auto &folder = session.draft();
       write_file(folder / "original.prm", [&](std::ostream &file) {
         file << std::ifstream(source.file).rdbuf();
       });
@@ -169,18 +172,33 @@ namespace
         return;
       }
 
-    Session session(communicator, top_level.output_directory);
+    Session session(communicator, top_level.output_directory, is_result);
     try
       {
         write_record(command_line.source, session);
-        run_study(study, scene, session);
+        std::optional<IncompleteError> incomplete;
+        try
+          {
+            run_study(study, scene, session);
+          }
+        catch (const IncompleteError &error)
+          {
+            incomplete = error;
+            session.log(std::string("The run ended with an error. ") +
+                        error.what());
+          }
         session.finish();
+        if (incomplete)
+          throw *incomplete;
+      }
+    catch (const InputError &error)
+      {
+        session.give_up(error.what());
+        throw;
       }
     catch (const std::exception &error)
       {
-        session.log(std::string("The run ended with an error. ") +
-                    error.what());
-        throw;
+        throw RunError(session.give_up(as_run_error(error).what()));
       }
   }
 

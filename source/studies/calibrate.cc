@@ -1,5 +1,4 @@
 #include <springfit/core/collective.h>
-#include <springfit/output/earlier_results.h>
 #include <springfit/output/vtu.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/study.h>
@@ -11,20 +10,17 @@ namespace springfit
   calibrate(const Scene<dim> &scene, Session &session)
   {
     auto calibrated = make_scene(scene, session);
-    run_on_root(session.communicator(),
-                [&]() { remove_earlier_results(session.output_directory()); });
     calibrate_scene(scene, calibrated, {}, session);
 
     run_on_root(session.communicator(), [&]() {
       for (const auto &network : calibrated.networks)
-        write_springs_vtu<dim>(session.output_directory() /
+        write_springs_vtu<dim>(session.draft() /
                                  ("springs_" + network.name + ".vtu"),
                                network.network,
                                {});
     });
-    session.print(
-      "\nResults are in " + session.output_directory().string() +
-      ": springs_<fit>.csv and nodes.csv are the model; open springs_" +
+    session.say_at_the_end(
+      "springs_<fit>.csv and nodes.csv are the model; open springs_" +
       calibrated.networks.front().name +
       ".vtu in ParaView and colour it by k.");
   }

@@ -244,7 +244,7 @@ namespace springfit
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {
-      const auto &folder = session.output_directory();
+      const auto &folder = session.draft();
       write_fits(folder, rows);
       write_nodes(folder, calibrated.networks.front().network);
       write_cells(folder, *calibrated.mesh);

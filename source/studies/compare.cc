@@ -1,9 +1,8 @@
 #include <springfit/comparison/delivered_constants.h>
 #include <springfit/comparison/errors.h>
 #include <springfit/core/collective.h>
-#include <springfit/core/error.h>
+#include <springfit/core/incomplete_error.h>
 #include <springfit/fit/methods.h>
-#include <springfit/output/earlier_results.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/output/vtu.h>
@@ -335,7 +334,7 @@ namespace springfit
       return fields;
     }
 
-    /** @throws RunError when a model did not reach the whole load. */
+    /** @throws IncompleteError when a model did not reach the whole load. */
     void
     check_completeness(const std::vector<CaseResult> &results,
                        const std::filesystem::path &folder)
@@ -355,13 +354,14 @@ namespace springfit
             collect(result, response.equilibrium);
         }
       if (!failures.empty())
-        throw RunError(failures.front() +
-                       (failures.size() > 1
-                          ? " (And " + std::to_string(failures.size() - 1) +
-                              " more such failures, see the warnings.)"
-                          : "") +
-                       " What was found is in " + folder.string() +
-                       ", the last states as *_incomplete.vtu.");
+        throw IncompleteError(failures.front() +
+                              (failures.size() > 1
+                                 ? " (And " +
+                                     std::to_string(failures.size() - 1) +
+                                     " more such failures, see the warnings.)"
+                                 : "") +
+                              " What was found is in " + folder.string() +
+                              ", the last states as *_incomplete.vtu.");
     }
   } // namespace
 
@@ -376,9 +376,6 @@ namespace springfit
                           calibrated.materials.begin()->second.thickness);
     session.print(describe(loading));
     warn_of_kinematics(scene.statics, session);
-    // What follows may fail, and shall not leave them in place.
-    run_on_root(session.communicator(),
-                [&]() { remove_earlier_results(session.output_directory()); });
     auto results = find_references(scene, calibrated, loading, session);
     calibrate_scene(scene,
                     calibrated,
@@ -402,21 +399,18 @@ namespace springfit
     {
       dealii::TimerOutput::Scope scope(session.timer(), "Output");
       run_on_root(session.communicator(), [&]() {
-        write_comparison(session.output_directory(), rows);
-        write_pictures(session.output_directory(), calibrated, results);
-        write_responses(session.output_directory(),
-                        calibrated,
-                        loading,
-                        results);
+        write_comparison(session.draft(), rows);
+        write_pictures(session.draft(), calibrated, results);
+        write_responses(session.draft(), calibrated, loading, results);
       });
     }
     check_completeness(results, session.output_directory());
     const std::string first =
       calibrated.networks.front().name +
       suffix(results.front().networks.front().kinematics);
-    session.print("\nResults are in " + session.output_directory().string() +
-                  ": comparison.csv is the table above; open " + first +
-                  ".pvd and fem.pvd in ParaView and apply Warp By Vector.");
+    session.say_at_the_end("comparison.csv is the table above; open " + first +
+                           ".pvd and fem.pvd in ParaView and apply Warp By "
+                           "Vector.");
   }
 
   template void

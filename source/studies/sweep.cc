@@ -4,7 +4,6 @@
 #include <springfit/core/error.h>
 #include <springfit/core/progress.h>
 #include <springfit/fit/fit.h>
-#include <springfit/output/earlier_results.h>
 #include <springfit/output/sweep_table.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/studies/calibrated_scene.h>
@@ -231,7 +230,6 @@ namespace springfit
     dealii::TimerOutput::Scope scope(session.timer(), "Sweep");
     std::vector<SweepRow> rows;
     run_on_root(session.communicator(), [&]() {
-      remove_earlier_results(session.output_directory());
       Progress progress("Tests of the cell",
                         youngs_moduli.size() * poissons_ratios.size(),
                         true);
@@ -241,7 +239,7 @@ namespace springfit
             cell_test.append_rows({modulus, ratio}, rows);
             progress.step();
           }
-      write_sweep(session.output_directory(), rows);
+      write_sweep(session.draft(), rows);
 
       session.print(
         "A tensile test of the cell, over all materials:\n"
@@ -253,9 +251,8 @@ namespace springfit
           summary_line(name_of(*row.method), name_of(row.enrichment), rows));
       cell_test.warn(session);
     });
-    session.print("\nResults are in " + session.output_directory().string() +
-                  ": sweep.csv is what the cell delivers, E_out and nu_out, "
-                  "for each E_in and nu_in.");
+    session.say_at_the_end("sweep.csv is what the cell delivers, E_out and "
+                           "nu_out, for each E_in and nu_in.");
   }
 
   template void

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -38,7 +40,8 @@ namespace springfit::oracle
              const MaterialLaw law      = MaterialLaw::linear)
   {
     const auto folder =
-      std::filesystem::temp_directory_path() / "springfit_calibration_test";
+      std::filesystem::temp_directory_path() /
+      ("springfit_calibration_test_" + std::to_string(getpid()));
     Session session(MPI_COMM_SELF, folder);
     const auto section =
       make_step<FitSection<dim>>("subsection Fit\n" + entries + "end");

@@ -1,6 +1,6 @@
-// The tables of a network, and the removal of those of an earlier run.
+// The tables of a network, and which names are those of results.
 
-#include <springfit/output/earlier_results.h>
+#include <springfit/output/result_names.h>
 #include <springfit/output/tables.h>
 #include <springfit/springs/cell_topology.h>
 #include <springfit/springs/network.h>
@@ -109,25 +109,26 @@ namespace
                 1e-15);
   }
 
-  TEST_F(Output, EarlierResultsAreRemovedAndNothingElse)
+  TEST(ResultNames, AreThoseThatStudiesWriteAndNoOthers)
   {
-    const std::set<std::string> results = {"angles_f.csv",
-                                           "comparison.csv",
-                                           "couplings_f.csv",
-                                           "nodes.csv",
-                                           "springs_f.csv",
-                                           "volumes_f.csv",
-                                           "tension_fem.vtu"};
-    const std::set<std::string> others  = {"angles.csv", "notes.txt"};
-    for (const auto &names : {results, others})
-      for (const auto &name : names)
-        std::ofstream(folder / name) << '\n';
-    remove_earlier_results(folder);
-    EXPECT_EQ(files().size(), results.size() + others.size());
-
-    std::ofstream(folder / "used.prm") << '\n';
-    remove_earlier_results(folder);
-    EXPECT_EQ(files(),
-              (std::set<std::string>{"angles.csv", "notes.txt", "used.prm"}));
+    for (const std::string name : {"angles_f.csv",
+                                   "comparison.csv",
+                                   "couplings_f.csv",
+                                   "fem.pvd",
+                                   "nodes.csv",
+                                   "point_volumes_f.csv",
+                                   "springs_f.csv",
+                                   "sweep.csv",
+                                   "tension_fem.csv",
+                                   "tension_fem.vtu",
+                                   "volumes_f.csv"})
+      EXPECT_TRUE(is_result(name)) << name;
+    for (const std::string name : {"angles.csv",
+                                   "comparison.csv.part",
+                                   "log.txt",
+                                   "my_nodes.csv",
+                                   "notes.txt",
+                                   "used.prm"})
+      EXPECT_FALSE(is_result(name)) << name;
   }
 } // namespace

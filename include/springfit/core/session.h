@@ -1,6 +1,8 @@
 #ifndef springfit_core_session_h
 #define springfit_core_session_h
 
+#include <springfit/core/output_folder.h>
+
 #include <deal.II/base/conditional_ostream.h>
 #include <deal.II/base/timer.h>
 
@@ -8,6 +10,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 
 namespace springfit
@@ -20,12 +23,19 @@ namespace springfit
   {
   public:
     /**
-     * Creates the folder and the log in it.
+     * Creates the folder, and the log in the draft of its files.
      *
-     * @throws EntryError when the folder cannot be created or written.
+     * @param is_result says which names the results of a run have, so that
+     * those of an earlier one make way; without it nothing is a result
+     * @throws EntryError when the folder cannot be created or written, or when
+     * another run holds it.
      */
-    Session(MPI_Comm communicator,
-            const std::filesystem::path &output_directory);
+    Session(
+      MPI_Comm communicator,
+      const std::filesystem::path &output_directory,
+      const OutputFolder::IsResult &is_result = [](const std::string &) {
+        return false;
+      });
 
     MPI_Comm
     communicator() const;
@@ -33,8 +43,16 @@ namespace springfit
     bool
     is_root() const;
 
+    /** The folder as the user named it, for messages. */
     const std::filesystem::path &
     output_directory() const;
+
+    /**
+     * Where to write files until finish() puts them into the output folder. On
+     * the first rank only.
+     */
+    const std::filesystem::path &
+    draft() const;
 
     /** A line, or several, for the screen and the log. */
     void
@@ -52,17 +70,42 @@ namespace springfit
     dealii::TimerOutput &
     timer();
 
+    /** What to open in the output folder: the last line of a run. */
+    void
+    say_at_the_end(const std::string &what_to_open);
+
     /**
-     * Write the table of times and the largest memory of any rank to the log.
+     * Write the table of times and the largest memory of any rank to the log,
+     * put the files of this run into the output folder and say so. All ranks
+     * must call it.
      *
-     * @throws RunError when the log could not be written whole.
+     * @throws RunError when the log could not be written whole or the files
+     * could not be put there; earlier ones are in place then.
      */
     void
     finish();
 
+    /**
+     * The run has failed with the error @p message: leave the results of an
+     * earlier run as they are, with their record; where there are none, leave
+     * the record of this run with its log. Does nothing after finish(). Does
+     * not communicate, as other ranks may be elsewhere, and does not throw.
+     *
+     * @return @p message, which may name the draft, with the output folder in
+     * its place
+     */
+    std::string
+    give_up(const std::string &message);
+
   private:
+    void
+    check_log();
+
     const MPI_Comm communicator_;
     const std::filesystem::path output_directory_;
+    const std::unique_ptr<OutputFolder> folder_; // of the first rank
+    const std::string draft_name_;
+    std::string last_line_;
     std::ofstream log_file_;
     dealii::ConditionalOStream log_stream_;
     dealii::TimerOutput timer_;
