@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -98,18 +99,27 @@ namespace
                            dealii::ParameterHandler::KeepDeclarationOrder);
   }
 
+  /**
+   * The entry "File" as used.prm has it, which stands in another folder than
+   * the file that it comes from.
+   */
+  std::string
+  stored_mesh_name(const ParameterSource &source, const std::string &mesh)
+  {
+    return mesh.empty()
+             ? ""
+             : std::filesystem::absolute(source.file.parent_path() / mesh)
+                 .lexically_normal()
+                 .string();
+  }
+
   void
   write_record(const ParameterSource &source, Session &session)
   {
-    // used.prm stands in another folder than the file that it comes from.
     auto &prm = dealii::ParameterAcceptor::prm;
     prm.enter_subsection("Geometry");
     const std::string mesh = prm.get("File");
-    if (!mesh.empty())
-      prm.set("File",
-              std::filesystem::absolute(source.file.parent_path() / mesh)
-                .lexically_normal()
-                .string());
+    prm.set("File", stored_mesh_name(source, mesh));
     prm.leave_subsection();
 
     run_on_root(session.communicator(), [&]() {
@@ -160,6 +170,11 @@ namespace
     read_parameters(prm, command_line.source);
     dealii::ParameterAcceptor::parse_all_parameters();
     top_level.check();
+    check_can_be_stored("Output directory", top_level.output_directory);
+    prm.enter_subsection("Geometry");
+    check_can_be_stored("Geometry/File",
+                        stored_mesh_name(command_line.source, prm.get("File")));
+    prm.leave_subsection();
     const auto study = value_of(study_words(), top_level.study_word, "Study");
     check_study(study, scene);
     run_collectively(communicator,
@@ -203,15 +218,57 @@ namespace
   }
 
   /**
+   * @p message with its long words and with the long values of @p source cut
+   * in the middle: nobody reads them to their end.
+   */
+  std::string
+  without_long_values(std::string message, const ParameterSource &source)
+  {
+    constexpr std::size_t longest = 200, kept = 80;
+    const auto shorten = [&](const std::size_t at, const std::size_t length) {
+      message.replace(at + kept, length - 2 * kept, " ... ");
+    };
+
+    std::vector<std::string> values = source.overrides;
+    for (const auto &text : source.overrides)
+      values.push_back(text.substr(
+        std::min(text.find_first_not_of("= \t", text.find('=')), text.size())));
+    std::ifstream file(source.file);
+    for (const auto &line : scan_parameters(file))
+      values.push_back(line.value);
+    for (const auto &value : values)
+      if (value.size() > longest)
+        for (std::size_t at; (at = message.find(value)) != std::string::npos;)
+          shorten(at, value.size());
+
+    for (std::size_t begin = 0; begin < message.size();)
+      {
+        const auto end = std::min(message.find(' ', begin), message.size());
+        if (end - begin > longest)
+          {
+            shorten(begin, end - begin);
+            begin += 2 * kept;
+          }
+        else
+          begin = end + 1;
+      }
+    return message;
+  }
+
+  /**
    * Say what went wrong, once, and how the program ends. A rank that fails
    * alone must stop the others, who wait for it.
    */
   Status
-  report(const std::string &message, const Status status)
+  report(const std::string &whole_message,
+         const Status status,
+         const ParameterSource &source = {})
   {
+    const std::string message = without_long_values(whole_message, source);
     if (!all_ranks_arrive(MPI_COMM_WORLD, 5.))
       {
         std::cerr << "Error: " << message << std::endl;
+        expect_end();
         MPI_Abort(MPI_COMM_WORLD, static_cast<int>(status));
       }
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
@@ -236,71 +293,104 @@ namespace
       }
     catch (const EntryError &error)
       {
-        return report(locate(error, command_line.source), Status::wrong_input);
+        return report(locate(error, command_line.source),
+                      Status::wrong_input,
+                      command_line.source);
       }
     catch (const InputError &error)
       {
-        return report(error.what(), Status::wrong_input);
+        return report(error.what(), Status::wrong_input, command_line.source);
       }
     catch (const std::exception &error)
       {
-        return report(as_run_error(error).what(), Status::run_failed);
+        return report(as_run_error(error).what(),
+                      Status::run_failed,
+                      command_line.source);
       }
+  }
+
+  /** What main() does once MPI has begun. */
+  Status
+  run(int argc, char *argv[])
+  {
+    const bool is_root =
+      dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+
+    CommandLine command_line;
+    std::string file;
+    CLI::App app("springfit turns a mesh into springs that come as close as "
+                 "they can to its finite elements, and measures how close.\n"
+                 "Example: springfit parameters/cube.prm");
+    app.add_option("file", file, "parameter file (.prm)");
+    app
+      .add_option("--set",
+                  command_line.source.overrides,
+                  "\"Section/Entry=value\" takes precedence over the file; may "
+                  "be repeated")
+      ->type_name("TEXT")
+      ->allow_extra_args(false);
+    app.add_flag("--validate",
+                 command_line.validate_only,
+                 "check the parameters and stop");
+    app
+      .add_option("--defaults",
+                  command_line.defaults,
+                  "print a commented parameter file for 2 or 3 dimensions")
+      ->check(CLI::IsMember({"2", "3"}));
+    app.set_version_flag("--version", version() + '\n' + library_versions());
+
+    try
+      {
+        app.parse(argc, argv);
+      }
+    catch (const CLI::Success &success)
+      {
+        // Help and version are the success of the command line.
+        if (is_root)
+          app.exit(success);
+        return Status::done;
+      }
+    catch (const CLI::ParseError &error)
+      {
+        return report(std::string(error.what()) +
+                        ". 'springfit --help' lists the options; try springfit "
+                        "parameters/cube.prm.",
+                      Status::wrong_input);
+      }
+
+    if (file.empty() && command_line.defaults.empty())
+      return report("No parameter file is given. Try springfit "
+                    "parameters/cube.prm, or springfit --help.",
+                    Status::wrong_input);
+    command_line.source.file = file;
+    return run(command_line);
   }
 } // namespace
 
 int
 main(int argc, char *argv[])
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  const bool is_root =
-    dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
-
-  CommandLine command_line;
-  std::string file;
-  CLI::App app("springfit turns a mesh into springs that come as close as "
-               "they can to its finite elements, and measures how close.\n"
-               "Example: springfit parameters/cube.prm");
-  app.add_option("file", file, "parameter file (.prm)");
-  app
-    .add_option("--set",
-                command_line.source.overrides,
-                "\"Section/Entry=value\" takes precedence over the file; may "
-                "be repeated")
-    ->type_name("TEXT")
-    ->allow_extra_args(false);
-  app.add_flag("--validate",
-               command_line.validate_only,
-               "check the parameters and stop");
-  app
-    .add_option("--defaults",
-                command_line.defaults,
-                "print a commented parameter file for 2 or 3 dimensions")
-    ->check(CLI::IsMember({"2", "3"}));
-  app.set_version_flag("--version", version() + '\n' + library_versions());
-
   try
     {
-      app.parse(argc, argv);
+      check_surroundings();
     }
-  catch (const CLI::Success &success)
+  catch (const InputError &error)
     {
-      return is_root ? app.exit(success) : 0;
+      std::cerr << "Error: " << error.what() << std::endl;
+      return static_cast<int>(Status::wrong_input);
     }
-  catch (const CLI::ParseError &error)
+  catch (const RunError &error)
     {
-      return static_cast<int>(
-        report(std::string(error.what()) +
-                 ". 'springfit --help' lists the options; try springfit "
-                 "parameters/cube.prm.",
-               Status::wrong_input));
+      std::cerr << "Error: " << error.what() << std::endl;
+      return static_cast<int>(Status::run_failed);
     }
 
-  if (file.empty() && command_line.defaults.empty())
-    return static_cast<int>(
-      report("No parameter file is given. Try springfit parameters/cube.prm, "
-             "or springfit --help.",
-             Status::wrong_input));
-  command_line.source.file = file;
-  return static_cast<int>(run(command_line));
+  Status status;
+  {
+    dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+    report_unexpected_ends();
+    status = run(argc, argv);
+  }
+  expect_end();
+  return static_cast<int>(status);
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 
 namespace springfit
@@ -201,6 +202,8 @@ namespace springfit
                          "Write --set \"Section/Entry=value\"; 'springfit "
                          "--defaults 2' or '3' lists every entry.");
 
+      check_can_be_stored(entry, value);
+
       auto sections          = split(entry, '/');
       const std::string name = sections.back();
       sections.pop_back();
@@ -221,6 +224,63 @@ namespace springfit
         }
       for (std::size_t s = 0; s < sections.size(); ++s)
         prm.leave_subsection();
+    }
+
+    /** The name in a line "include NAME", or else an empty string. */
+    std::string
+    included_in(const std::string &line)
+    {
+      const std::string text = trimmed(line.substr(0, line.find('#')));
+      std::istringstream words(text);
+      std::string first;
+      words >> first;
+      return first == "include" || first == "INCLUDE"
+               ? trimmed(text.substr(first.size()))
+               : "";
+    }
+
+    /**
+     * deal.II reads what @p file includes without end, when it comes back to
+     * the file, and waits for the other end of a pipe.
+     *
+     * @param above the files that lead to this one, with itself
+     * @param done files that need not be checked once more
+     */
+    void
+    check_includes(const std::filesystem::path &file,
+                   const std::set<std::filesystem::path> &above,
+                   std::set<std::filesystem::path> &done)
+    {
+      std::ifstream stream(file);
+      unsigned int number = 0;
+      for (std::string line; std::getline(stream, line);)
+        {
+          ++number;
+          const std::filesystem::path name = included_in(line);
+          std::error_code error;
+          const auto status = std::filesystem::status(name, error);
+          // deal.II complains about what is missing.
+          if (name.empty() || !std::filesystem::exists(status))
+            continue;
+          const std::string what = file.string() + ", line " +
+                                   std::to_string(number) + ": '" +
+                                   name.string() + "'";
+          if (!std::filesystem::is_regular_file(status))
+            throw InputError(what + " is included and is not a regular file.",
+                             "Include a parameter file.");
+          const auto place = std::filesystem::canonical(name, error);
+          if (above.count(place) > 0)
+            throw InputError(what + " is included by itself" +
+                               (above.size() > 1
+                                  ? ", or by a file that it includes."
+                                  : "."),
+                             "Remove the line.");
+          if (!done.insert(place).second)
+            continue;
+          auto chain = above;
+          chain.insert(place);
+          check_includes(name, chain, done);
+        }
     }
   } // namespace
 
@@ -282,6 +342,25 @@ namespace springfit
       throw InputError("The parameter file '" + file.string() +
                          "' cannot be read.",
                        mend);
+    std::set<std::filesystem::path> done;
+    check_includes(file, {std::filesystem::canonical(file, error)}, done);
+  }
+
+  void
+  check_can_be_stored(const std::string &entry, const std::string &value)
+  {
+    std::string what;
+    if (value.find('#') != std::string::npos)
+      what = "has the sign #, where a comment begins in a parameter file.";
+    else if (value.find_first_of("\n\r\t") != std::string::npos)
+      what = "has a line break or a tab, which a parameter file cannot keep.";
+    else if (!value.empty() && value.back() == '\\')
+      what = "ends in a backslash, after which a line of a parameter file goes "
+             "on in the next.";
+    if (!what.empty())
+      throw EntryError(entry,
+                       "'" + value + "' " + what,
+                       "Write it without; rename a file or a folder.");
   }
 
   void

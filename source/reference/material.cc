@@ -47,6 +47,15 @@ namespace springfit
       return value;
     }
 
+    void
+    check_is_positive(const double value, const std::string &entry)
+    {
+      if (!(value > 0.))
+        throw EntryError(entry,
+                         text_of(value) + " is not positive.",
+                         "Give a positive number.");
+    }
+
     std::string
     blanks_removed(const std::string &text)
     {
@@ -136,13 +145,10 @@ namespace springfit
     poissons_ratio_ = parse("Material/Poisson's ratio", poissons_ratio_text_);
     density_        = parse("Material/Density", density_text_);
 
-    for (const Constant *constant : {&youngs_modulus_, &density_})
-      for (const auto &[name, value] : constant->by_name)
-        if (!(value > 0.))
-          throw EntryError(constant->entry,
-                           text_of(value) + " is not positive.",
-                           "Give a positive number.");
-
+    for (const auto &[name, value] : density_.by_name)
+      check_is_positive(value, density_.entry);
+    for (const auto &[name, value] : youngs_modulus_.by_name)
+      check_youngs_modulus(value, youngs_modulus_.entry);
     for (const auto &[name, value] : poissons_ratio_.by_name)
       check_poissons_ratio(value, poissons_ratio_.entry);
 
@@ -150,6 +156,21 @@ namespace springfit
       throw EntryError("Material/Thickness",
                        text_of(thickness_) + " is not positive and finite.",
                        "Give a thickness in m.");
+  }
+
+  template <int dim>
+  void
+  Material<dim>::check_youngs_modulus(const double modulus,
+                                      const std::string &entry) const
+  {
+    check_is_positive(modulus, entry);
+    // Wider than any material, and far from where squares leave the numbers.
+    constexpr double smallest = 1e-30, largest = 1e30;
+    if (modulus < smallest || modulus > largest)
+      throw EntryError(entry,
+                       text_of(modulus) + " is out of range.",
+                       "Give a number between " + text_of(smallest) + " and " +
+                         text_of(largest) + " (in Pa).");
   }
 
   template <int dim>

@@ -55,19 +55,47 @@ namespace springfit
     };
   } // namespace
 
+  namespace
+  {
+    /** What muParser would take, and what is no condition all the same. */
+    void
+    check_is_condition(const std::string &expression, const std::string &entry)
+    {
+      const auto refuse = [&](const std::string &what,
+                              const std::string &mend) {
+        throw EntryError(entry,
+                         "the expression '" + expression + "' " + what,
+                         mend);
+      };
+      // muParser takes a single equals sign for an assignment.
+      if (std::regex_search(expression, std::regex("(^|[^=<>!])=([^=]|$)")))
+        refuse("has a single equals sign.",
+               "Compare by <, >, <=, >= or ==; for a plane of nodes write "
+               "abs(x - 0.02) < 1e-6, for instance.");
+      // deal.II adds random numbers, the same for no two runs or points.
+      if (std::regex_search(expression, std::regex("\\brand(_seed)?\\b")))
+        refuse("draws random numbers.",
+               "Write a condition on the place alone, such as \"x < 1e-6\".");
+      // muParser takes the last of several expressions.
+      int depth = 0;
+      for (const char c : expression)
+        {
+          depth += (c == '(') - (c == ')');
+          if (c == ',' && depth == 0)
+            refuse("has a comma, and so is more than one condition.",
+                   "Join conditions by 'and' or 'or': \"x < 1e-6 and y < "
+                   "0.01\".");
+        }
+    }
+  } // namespace
+
   template <int dim>
   Region<dim>::Region(const std::string &expression, const std::string &entry)
     : expression_(expression)
     , entry_(entry)
     , function_(std::make_unique<dealii::FunctionParser<dim>>(1))
   {
-    // muParser takes a single equals sign for an assignment.
-    if (std::regex_search(expression, std::regex("(^|[^=<>!])=([^=]|$)")))
-      throw EntryError(entry,
-                       "the expression '" + expression +
-                         "' has a single equals sign.",
-                       "Compare by <, >, <=, >= or ==; for a plane of nodes "
-                       "write abs(x - 0.02) < 1e-6, for instance.");
+    check_is_condition(expression, entry);
     const std::string names = dim == 2 ? "x,y" : "x,y,z";
     const QuietErrors quiet;
     try

@@ -3,7 +3,6 @@
 #include <springfit/studies/sweep_range.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace springfit
 {
@@ -34,14 +33,7 @@ namespace springfit
   SweepRange<dim>::check(const Material<dim> &material) const
   {
     for (const double modulus : youngs_moduli())
-      if (!(modulus > 0.))
-        {
-          std::ostringstream value;
-          value << modulus;
-          throw EntryError("Sweep/Young's moduli",
-                           value.str() + " is not positive.",
-                           "Give positive numbers in Pa.");
-        }
+      material.check_youngs_modulus(modulus, "Sweep/Young's moduli");
     for (const double ratio : poissons_ratios())
       material.check_poissons_ratio(ratio, "Sweep/Poisson's ratios");
     axis();

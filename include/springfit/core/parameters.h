@@ -36,12 +36,23 @@ namespace springfit
   };
 
   /**
-   * Check that the file of @p source can be read.
+   * Check that @p file can be read, and the files that it includes.
    *
-   * @throws InputError when it is missing, a directory or unreadable.
+   * @throws InputError when it is missing, a directory, something that blocks
+   * its reader, or unreadable, and when a file includes itself, be it through
+   * others.
    */
   void
   check_parameter_file(const std::filesystem::path &file);
+
+  /**
+   * Check that a parameter file gives back @p value, or used.prm would not say
+   * how a run was made.
+   *
+   * @throws EntryError of @p entry when it has a character that ends a value.
+   */
+  void
+  check_can_be_stored(const std::string &entry, const std::string &value);
 
   /**
    * Read every entry of @p source into @p prm, in which all entries have been
@@ -49,7 +60,8 @@ namespace springfit
    *
    * @throws InputError naming the file, the line, the entry and the nearest
    * known one when an entry is misspelt or a value does not have the form
-   * that its entry asks for.
+   * that its entry asks for. EntryError when a value of the command line cannot
+   * be stored in a parameter file.
    */
   void
   read_parameters(dealii::ParameterHandler &prm, const ParameterSource &source);

@@ -83,6 +83,11 @@ namespace springfit
     PlaneState
     plane_state() const;
 
+    /** @throws EntryError of @p entry when E is not positive or no number of
+     * a material, in Pa. */
+    void
+    check_youngs_modulus(double modulus, const std::string &entry) const;
+
     /**
      * @throws EntryError, of the given entry, when no material of this plane
      * state has such a ratio.
