@@ -219,7 +219,7 @@ namespace
 
   /**
    * @p message with its long words and with the long values of @p source cut
-   * in the middle: nobody reads them to their end.
+   * in the middle: nobody reads them to their end. On one line.
    */
   std::string
   without_long_values(std::string message, const ParameterSource &source)
@@ -241,6 +241,9 @@ namespace
         for (std::size_t at; (at = message.find(value)) != std::string::npos;)
           shorten(at, value.size());
 
+    for (char &c : message)
+      if (static_cast<unsigned char>(c) < ' ')
+        c = ' ';
     for (std::size_t begin = 0; begin < message.size();)
       {
         const auto end = std::min(message.find(' ', begin), message.size());
