@@ -233,9 +233,14 @@ namespace
     for (const auto &text : source.overrides)
       values.push_back(text.substr(
         std::min(text.find_first_not_of("= \t", text.find('=')), text.size())));
-    std::ifstream file(source.file);
-    for (const auto &line : scan_parameters(file))
-      values.push_back(line.value);
+    // A pipe would block.
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(source.file, ignored))
+      {
+        std::ifstream file(source.file);
+        for (const auto &line : scan_parameters(file))
+          values.push_back(line.value);
+      }
     for (const auto &value : values)
       if (value.size() > longest)
         for (std::size_t at; (at = message.find(value)) != std::string::npos;)
