@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS // Boost's own
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 
