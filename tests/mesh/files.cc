@@ -374,7 +374,7 @@ TEST(File, that_is_bad_is_refused)
   read_bad("folded.msh", {"folded", "quadrilateral"});
   read_bad("flat_cell.msh", {"triangle 2", "no area"});
   read_bad("duplicate_cell.msh", {"quadrilateral 9", "duplicate"});
-  read_bad("not_a_number.msh", {"5. vertex", "finite"});
+  read_bad("not_a_number.msh", {"line 16", "'nan'", "finite"});
   read_bad("not_plane.msh", {"not plane", "z = constant"});
   read_bad("three_cells_on_an_edge.msh", {"3 cells share"});
   read_bad("inverted_tetrahedra.msh",
