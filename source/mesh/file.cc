@@ -98,6 +98,7 @@ namespace springfit
       text << mesh.name << " measures " << extents[0] << " x " << extents[1];
       if (request.dim == 3)
         text << " x " << extents[2];
+      text.precision(6);
       text << " m. Is Geometry/Scale = " << request.scale
            << " right? It is the length of a unit of the file in m, as 0.001 "
               "for a file in mm.";

@@ -299,7 +299,7 @@ TEST(File, that_loses_something_is_refused)
   read_bad("other_system.bdf", {"line 4", "coordinate system 5"});
   read_bad("include.bdf", {"line 2", "INCLUDE"});
   read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
-  read_bad("cut_short.vtk", {"it announces 10 numbers"});
+  read_bad("cut_short.vtk", {"the file ends too early"});
   read_bad("copied_nodes.inp", {"line 6", "*NCOPY"});
   read_bad("repeated_element.inp", {"line 8", "element 1", again});
   read_bad("short_element.inp", {"line 7", "3 nodes instead of 4"});
