@@ -55,7 +55,13 @@ namespace springfit
     fields_of(const std::string &text)
     {
       if (text.find(',') != std::string::npos)
-        return split_fields(text, ',');
+        {
+          // The tenth field marks the line that goes on.
+          auto fields = split_fields(text, ',');
+          if (fields.size() > 9)
+            fields.resize(9);
+          return fields;
+        }
       const std::string head = trimmed(text.substr(0, 8));
       const std::size_t width =
         !head.empty() && (head.back() == '*' || head.front() == '*') ? 16 : 8;
@@ -110,6 +116,20 @@ namespace springfit
       return i < card.fields.size() ? card.fields[i] : "";
     }
 
+    // Nastran's numbers may leave out the letter of their exponent: 1.5-3.
+    void
+    check_coordinate(const std::string &text, const TextPlace &place)
+    {
+      std::string number     = text;
+      const std::size_t sign = number.find_last_of("+-");
+      const bool has_no_letter =
+        number.find_first_of("eEdD") == std::string::npos;
+      if (has_no_letter && sign != std::string::npos && sign > 0)
+        number.insert(sign, "e");
+      if (!number.empty())
+        read_real(number, place);
+    }
+
     void
     check_node(const Card &card, const std::string &default_system)
     {
@@ -149,6 +169,8 @@ namespace springfit
       if (card.name == "GRID")
         {
           check_node(card, default_system);
+          for (const std::size_t i : {2, 3, 4})
+            check_coordinate(field(card, i), card.place);
           nodes.add(read_label(field(card, 0), card.place), card.place);
         }
     for (const Card &card : cards)

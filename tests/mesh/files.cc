@@ -261,6 +261,11 @@ TEST(File, of_medit_may_have_its_counts_in_the_line_of_the_keyword)
   EXPECT_TRUE(has_warning(mesh->warnings, "1 of the 5 nodes"));
 }
 
+TEST(File, of_nastran_may_mark_its_continuations)
+{
+  EXPECT_NEAR(measure_of(*read<3>("marked_continuation.bdf")), 0.015, 1e-12);
+}
+
 TEST(File, of_vtk_may_be_new_and_its_arrays_name_materials)
 {
   const auto mesh = read<2>("version_5.vtk", "Material ids = tissue");
@@ -297,6 +302,7 @@ TEST(File, that_loses_something_is_refused)
            {"the file ends where number 2 of the 2 Triangles"});
   read_bad("cut_short.bdf", {"line 7", "element 2", "3 nodes instead of 4"});
   read_bad("other_system.bdf", {"line 4", "coordinate system 5"});
+  read_bad("word_as_coordinate.bdf", {"line 2", "'abc'"});
   read_bad("include.bdf", {"line 2", "INCLUDE"});
   read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
   read_bad("cut_short.vtk", {"the file ends too early"});
