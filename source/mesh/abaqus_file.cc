@@ -2,9 +2,11 @@
 #include <springfit/core/words.h>
 #include <springfit/mesh/abaqus_file.h>
 #include <springfit/mesh/abaqus_model.h>
+#include <springfit/mesh/abaqus_sets.h>
 #include <springfit/mesh/boundary_groups.h>
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/vertex_order.h>
 
 #include <algorithm>
 #include <cctype>
@@ -15,18 +17,6 @@ namespace springfit
 {
   namespace
   {
-    // Abaqus numbers around a face, deal.II along the axes.
-    const std::vector<unsigned int> &
-    abaqus_order(const CellKind kind)
-    {
-      static const std::map<CellKind, std::vector<unsigned int>> orders = {
-        {CellKind::triangle, {0, 1, 2}},
-        {CellKind::quadrilateral, {0, 1, 3, 2}},
-        {CellKind::tetrahedron, {0, 1, 2, 3}},
-        {CellKind::hexahedron, {0, 1, 3, 2, 4, 5, 7, 6}}};
-      return orders.at(kind);
-    }
-
     /** Hands over an Abaqus model as a mesh, one thing after the other. */
     class HandOver
     {
@@ -59,7 +49,8 @@ namespace springfit
                 block = element.block;
                 mesh.cell_numbers.push_back(element.label);
                 cells_.emplace_back(i, &element);
-                for (const unsigned int position : abaqus_order(mesh.cell_kind))
+                for (const unsigned int position :
+                     order_around_faces(mesh.cell_kind))
                   mesh.cells.push_back(
                     *vertex_of({i, element.nodes[position]}));
               }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace springfit
@@ -153,29 +154,56 @@ namespace springfit
           }
       }
 
+      bool
+      is_4_0() const
+      {
+        return version_ == "4" || version_ == "4.0";
+      }
+
+      /** The numbers of blocks and of what is in them all. */
+      std::pair<std::size_t, std::size_t>
+      read_head_of_blocks(const std::string &what)
+      {
+        const std::size_t n_blocks = tokens_.count("the number of blocks");
+        const std::size_t n        = tokens_.count("the number of " + what);
+        if (!is_4_0())
+          tokens_.skip_line(); // the smallest and the largest number
+        return {n_blocks, n};
+      }
+
+      /** @throws InputError when the blocks hold another number than announced.
+       */
+      void
+      check_blocks(const std::size_t n_announced,
+                   const std::size_t n_found,
+                   const std::string &what) const
+      {
+        if (n_found != n_announced)
+          throw text_error(tokens_.place(),
+                           "the section announces " +
+                             std::to_string(n_announced) + ' ' + what +
+                             ", its blocks hold " + std::to_string(n_found));
+      }
+
       void
       read_node_blocks()
       {
-        const std::size_t n_blocks = tokens_.count("the number of blocks");
-        const std::size_t n        = tokens_.count("the number of nodes");
-        if (version_ != "4" && version_ != "4.0")
-          tokens_.skip_line();
-        std::size_t i = 0;
+        const auto [n_blocks, n] = read_head_of_blocks("nodes");
+        std::size_t i            = 0;
         for (std::size_t b = 0; b < n_blocks; ++b)
           {
             const std::string block = which("block", b, n_blocks);
             tokens_.integer(block);
             tokens_.integer(block);
-            const std::size_t n_parameters =
-              tokens_.count(block) > 0 ? is_parametric_ : 0;
-            const std::size_t size = tokens_.count(block);
-            if (version_ == "4" || version_ == "4.0")
+            const bool is_parametric = tokens_.count(block) > 0;
+            const std::size_t size   = tokens_.count(block);
+            if (is_4_0())
               for (std::size_t k = 0; k < size; ++k, ++i)
                 {
                   nodes_.add(tokens_.count(which("node", i, n)),
                              tokens_.place());
                   read_point(which("node", i, n));
-                  skip_parameters(n_parameters);
+                  skip_parameters(is_parametric);
                 }
             else
               {
@@ -185,21 +213,18 @@ namespace springfit
                 for (std::size_t k = 0; k < size; ++k, ++i)
                   {
                     read_point(which("node", i, n));
-                    skip_parameters(n_parameters);
+                    skip_parameters(is_parametric);
                   }
               }
           }
-        if (i != n)
-          throw text_error(tokens_.place(),
-                           "the section announces " + std::to_string(n) +
-                             " nodes, its blocks hold " + std::to_string(i));
+        check_blocks(n, i, "nodes");
       }
 
       // As many as the dimension of the block, on the point's line.
       void
-      skip_parameters(const std::size_t n)
+      skip_parameters(const bool is_parametric)
       {
-        if (n > 0)
+        if (is_parametric)
           tokens_.skip_line();
       }
 
@@ -207,7 +232,7 @@ namespace springfit
       read_elements()
       {
         const std::size_t n = tokens_.count("the number of elements");
-        std::map<std::size_t, std::vector<std::size_t>> with_groups;
+
         for (std::size_t i = 0; i < n; ++i)
           {
             const std::string what    = which("element", i, n);
@@ -241,11 +266,8 @@ namespace springfit
       bool
       read_element_blocks()
       {
-        const std::size_t n_blocks = tokens_.count("the number of blocks");
-        const std::size_t n        = tokens_.count("the number of elements");
-        if (version_ != "4" && version_ != "4.0")
-          tokens_.skip_line();
-        std::size_t i = 0;
+        const auto [n_blocks, n] = read_head_of_blocks("elements");
+        std::size_t i            = 0;
         for (std::size_t b = 0; b < n_blocks; ++b)
           {
             const std::string block = which("block", b, n_blocks);
@@ -263,10 +285,7 @@ namespace springfit
                 read_nodes_of(element, type->second);
               }
           }
-        if (i != n)
-          throw text_error(tokens_.place(),
-                           "the section announces " + std::to_string(n) +
-                             " elements, its blocks hold " + std::to_string(i));
+        check_blocks(n, i, "elements");
         return true;
       }
 
@@ -281,8 +300,6 @@ namespace springfit
           }
         ++announced.n_elements[type.dim];
       }
-
-      static constexpr std::size_t is_parametric_ = 1;
 
       TextTokens tokens_;
       const std::string version_;

@@ -3,6 +3,7 @@
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/file_elements.h>
 #include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/vertex_order.h>
 
 #include <algorithm>
 #include <map>
@@ -11,18 +12,6 @@ namespace springfit
 {
   namespace
   {
-    // Files number around a face, deal.II along the axes.
-    const std::vector<unsigned int> &
-    order_of(const CellKind kind)
-    {
-      static const std::map<CellKind, std::vector<unsigned int>> orders = {
-        {CellKind::triangle, {0, 1, 2}},
-        {CellKind::quadrilateral, {0, 1, 3, 2}},
-        {CellKind::tetrahedron, {0, 1, 2, 3}},
-        {CellKind::hexahedron, {0, 1, 3, 2, 4, 5, 7, 6}}};
-      return orders.at(kind);
-    }
-
     std::string
     found_in(const std::vector<FileElements> &elements, const int dim)
     {
@@ -152,7 +141,7 @@ namespace springfit
     mesh.cell_numbers   = cells.numbers;
     mesh.material_ids   = cells.ids;
     const auto vertices = number_vertices(cells, points, mesh);
-    const auto &order   = order_of(mesh.cell_kind);
+    const auto &order   = order_around_faces(mesh.cell_kind);
     for (std::size_t c = 0; c < cells.numbers.size(); ++c)
       for (const unsigned int i : order)
         mesh.cells.push_back(vertices[cells.nodes[c * order.size() + i]]);
