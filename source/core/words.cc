@@ -39,6 +39,18 @@ namespace springfit
         }
       return row.back();
     }
+
+    /** The next comma outside of quotes, or the end. */
+    std::size_t
+    end_of_piece(const std::string &text, const std::size_t begin)
+    {
+      bool is_quoted  = false;
+      std::size_t end = begin;
+      for (; end < text.size() && (is_quoted || text[end] != ','); ++end)
+        if (text[end] == '"')
+          is_quoted = !is_quoted;
+      return end;
+    }
   } // namespace
 
   std::string
@@ -84,7 +96,7 @@ namespace springfit
     std::size_t begin = 0;
     while (begin <= text.size())
       {
-        const std::size_t end   = std::min(text.find(',', begin), text.size());
+        const std::size_t end   = end_of_piece(text, begin);
         std::string piece       = text.substr(begin, end - begin);
         const std::size_t first = piece.find_first_not_of(" \t");
         const std::size_t last  = piece.find_last_not_of(" \t");

@@ -1,340 +1,532 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 #include <springfit/mesh/abaqus_file.h>
-
-#include <gmsh.h>
+#include <springfit/mesh/abaqus_model.h>
+#include <springfit/mesh/abaqus_sets.h>
+#include <springfit/mesh/boundary_groups.h>
+#include <springfit/mesh/facets.h>
+#include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/vertex_order.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cstddef>
-#include <fstream>
 #include <map>
-#include <stdexcept>
-#include <string>
-#include <vector>
+#include <set>
 
 namespace springfit
 {
   namespace
   {
-    struct Element
-    {
-      std::size_t number;
-      int type; // gmsh's
-      std::vector<std::size_t> nodes;
-      unsigned int group; // 0: none
-    };
-
-    struct AbaqusMesh
-    {
-      std::vector<std::size_t> nodes;
-      std::vector<double> coordinates; // x, y, z of each node
-      std::vector<Element> elements;
-
-      std::vector<std::string> groups; // the name of group i is groups[i - 1]
-      std::map<std::size_t, unsigned int> group_of_element; // by *ELSET
-    };
-
-    /** A line that begins with a star: its word and its settings. */
-    struct Keyword
-    {
-      std::string word; // in capitals, as are the keys
-      std::map<std::string, std::string> settings;
-    };
-
-    std::string
-    in_capitals(std::string text)
-    {
-      for (char &c : text)
-        c = std::toupper(static_cast<unsigned char>(c));
-      return text;
-    }
-
-    std::string
-    trimmed(const std::string &text)
-    {
-      const auto pieces = split_at_commas(text);
-      return pieces.empty() ? "" : pieces.front();
-    }
-
-    Keyword
-    parse_keyword(const std::string &line)
-    {
-      Keyword keyword;
-      for (const std::string &piece : split_at_commas(line.substr(1)))
-        {
-          const auto equals = piece.find('=');
-          const auto key    = in_capitals(trimmed(piece.substr(0, equals)));
-          if (keyword.word.empty())
-            keyword.word = key;
-          else
-            keyword.settings[key] = equals == std::string::npos
-                                      ? ""
-                                      : trimmed(piece.substr(equals + 1));
-        }
-      return keyword;
-    }
-
-    // Abaqus' names begin with the shape and end with letters for variants:
-    // CPS4R is a quadrilateral like CPE4 and S4.
-    int
-    gmsh_type(const std::string &name)
-    {
-      static const std::map<std::string, int> types = {
-        {"T2D2", 1},   {"T3D2", 1},   {"B21", 1},    {"B31", 1},   {"CPS3", 2},
-        {"CPE3", 2},   {"S3", 2},     {"STRI3", 2},  {"M3D3", 2},  {"R3D3", 2},
-        {"SFM3D3", 2}, {"CPS4", 3},   {"CPE4", 3},   {"S4", 3},    {"M3D4", 3},
-        {"R3D4", 3},   {"SFM3D4", 3}, {"C3D4", 4},   {"C3D8", 5},  {"C3D6", 6},
-        {"CPS6", 9},   {"CPE6", 9},   {"C3D10", 11}, {"CPS8", 16}, {"CPE8", 16},
-        {"C3D20", 17}, {"T3D3", 8},   {"STRI65", 9}, {"S8R", 16}};
-      std::string shape = in_capitals(name);
-      while (!shape.empty() && types.count(shape) == 0 &&
-             std::isalpha(static_cast<unsigned char>(shape.back())))
-        shape.pop_back();
-      const auto type = types.find(shape);
-      if (type == types.end())
-        throw std::invalid_argument("element type '" + name + "' is not known");
-      return type->second;
-    }
-
-    struct TypeProperties
-    {
-      int dim;
-      int n_nodes;
-    };
-
-    TypeProperties
-    properties(const int gmsh_type)
-    {
-      static std::map<int, TypeProperties> known;
-      const auto old = known.find(gmsh_type);
-      if (old != known.end())
-        return old->second;
-
-      TypeProperties result;
-      std::string name;
-      int order, n_primary;
-      std::vector<double> points;
-      gmsh::model::mesh::getElementProperties(
-        gmsh_type, name, result.dim, order, result.n_nodes, points, n_primary);
-      return known[gmsh_type] = result;
-    }
-
-    unsigned int
-    group_number(AbaqusMesh &mesh, const std::string &name)
-    {
-      const auto known =
-        std::find(mesh.groups.begin(), mesh.groups.end(), name);
-      if (known != mesh.groups.end())
-        return known - mesh.groups.begin() + 1;
-      mesh.groups.push_back(name);
-      return mesh.groups.size();
-    }
-
-    /** Reads a file line by line; a data line belongs to the last keyword. */
-    class Reader
+    /** Hands over an Abaqus model as a mesh, one thing after the other. */
+    class HandOver
     {
     public:
-      void
-      read(const std::string &line)
+      HandOver(const AbaqusModel &model, const std::string &name, const int dim)
+        : model_(model), dim_(dim)
       {
-        if (line.rfind("**", 0) == 0 || trimmed(line).empty())
-          return;
-        if (line.front() == '*')
-          start(parse_keyword(line));
-        else
-          read_data(split_at_commas(line));
+        mesh.name = name;
+        for (const std::string &warning : model.warnings)
+          mesh.warnings.push_back(name + ": " + warning + '.');
       }
 
-      AbaqusMesh mesh;
+      MeshDescription mesh;
+
+      void
+      take_cells()
+      {
+        check_nodes();
+        check_types();
+        take_vertices();
+        for (unsigned int i = 0; i < model_.instances.size(); ++i)
+          {
+            std::size_t block = 0;
+            for (const AbaqusElement &element : model_.instances[i].elements)
+              {
+                if (element.type->dim != dim_)
+                  continue;
+                if (block != element.block)
+                  mesh.group_begins.push_back(mesh.n_cells());
+                block = element.block;
+                mesh.cell_numbers.push_back(element.label);
+                cells_.emplace_back(i, &element);
+                for (const unsigned int position :
+                     order_around_faces(mesh.cell_kind))
+                  mesh.cells.push_back(
+                    *vertex_of({i, element.nodes[position]}));
+              }
+          }
+        check_no_duplicate_cells(mesh);
+      }
+
+      // Sections decide, else the set of the cell's *ELEMENT.
+      void
+      take_materials()
+      {
+        std::map<AbaqusItem, std::size_t> section_of_cell; // into groups_
+        std::vector<std::string> overlaps;
+        std::size_t n_overlaps = 0;
+        for (unsigned int i = 0; i < model_.instances.size(); ++i)
+          for (const AbaqusSection &section : model_.instances[i].sections)
+            {
+              if (section.set.empty())
+                throw text_error(section.place, "a section names no set");
+              const std::size_t group = group_of(section.set, section.material);
+              const auto members      = members_of_set(model_,
+                                                  AbaqusSetKind::elements,
+                                                  i,
+                                                  {section.set, section.place});
+              for (const AbaqusItem &item : members.items)
+                {
+                  const auto [old, is_new] =
+                    section_of_cell.emplace(item, group);
+                  if (is_new || old->second == group)
+                    continue;
+                  ++n_overlaps;
+                  const std::string both =
+                    name_of_group(old->second) + " and " + name_of_group(group);
+                  if (std::find(overlaps.begin(), overlaps.end(), both) ==
+                      overlaps.end())
+                    overlaps.push_back(both);
+                  old->second = group;
+                }
+            }
+        if (n_overlaps > 0)
+          warn(std::to_string(n_overlaps) +
+               " elements belong to two sections, " + join_some(overlaps) +
+               "; the later one counts.");
+
+        const std::size_t none = -1;
+        std::vector<std::size_t> group_of_cell;
+        for (const auto &[i, element] : cells_)
+          {
+            const auto section = section_of_cell.find({i, element->label});
+            if (section != section_of_cell.end())
+              group_of_cell.push_back(section->second);
+            else if (element->set.empty())
+              group_of_cell.push_back(none);
+            else
+              group_of_cell.push_back(
+                group_of(name_of_element_set(i, element->set), ""));
+          }
+        number_materials(group_of_cell, none);
+      }
+
+      void
+      take_boundaries()
+      {
+        boundary_ = boundary_sides(mesh);
+        std::sort(boundary_.begin(), boundary_.end());
+        for (unsigned int i = 0; i < model_.instances.size(); ++i)
+          {
+            for (const auto &[key, set] : model_.instances[i].node_sets)
+              take_node_set(i, set);
+            for (const auto &[key, set] : model_.instances[i].element_sets)
+              take_element_set(i, set);
+            for (const AbaqusSurface &surface : model_.instances[i].surfaces)
+              take_surface(i, surface);
+          }
+        if (!missing_.empty())
+          warn("there are sets with members that the file does not define: " +
+               join_some(missing_) + "; these are left out.");
+
+        std::vector<BoundaryGroup> groups;
+        for (const std::string &key : order_of_boundaries_)
+          groups.push_back(boundaries_.at(key));
+        label_boundary_groups(mesh, groups);
+        for (const std::string &name : sets_of_cells_)
+          mesh.unused_boundary_names.emplace(name, "is a set of cells");
+      }
 
     private:
       void
-      start(const Keyword &keyword)
+      warn(const std::string &what)
       {
-        keyword_ = keyword;
-        numbers_.clear();
-        const auto set = keyword_.settings.find("ELSET");
-        group_ =
-          set == keyword_.settings.end() ? 0 : group_number(mesh, set->second);
-        if (keyword_.word == "ELEMENT")
-          type_ = gmsh_type(keyword_.settings["TYPE"]);
+        mesh.warnings.push_back(mesh.name + ": " + what);
       }
 
       void
-      read_data(const std::vector<std::string> &pieces)
+      check_nodes() const
       {
-        if (keyword_.word == "NODE")
+        for (const AbaqusInstance &instance : model_.instances)
+          for (const AbaqusElement &element : instance.elements)
+            for (const std::size_t node : element.nodes)
+              if (instance.nodes.count(node) == 0)
+                throw text_error(element.place,
+                                 "the element " +
+                                   std::to_string(element.label) +
+                                   " has the node " + std::to_string(node) +
+                                   ", which is not defined",
+                                 "Define it, or mend the element.");
+      }
+
+      void
+      check_types()
+      {
+        std::map<int, std::map<std::string, std::size_t>> n_of_type;
+        std::set<const AbaqusElementType *> types;
+        for (const AbaqusInstance &instance : model_.instances)
+          for (const AbaqusElement &element : instance.elements)
+            {
+              ++n_of_type[element.type->dim][in_capitals(element.type_name)];
+              if (element.type->dim == dim_)
+                types.insert(element.type);
+            }
+        const auto found = [&](const int dim) {
+          std::vector<std::string> counts;
+          for (const auto &[type, n] : n_of_type[dim])
+            counts.push_back(std::to_string(n) + " of type " + type);
+          return join_some(counts);
+        };
+
+        if (types.empty() || (dim_ == 2 && !n_of_type[3].empty()))
           {
-            mesh.nodes.push_back(std::stoul(pieces.at(0)));
-            for (unsigned int d = 1; d <= 3; ++d)
-              mesh.coordinates.push_back(d < pieces.size() && !pieces[d].empty()
-                                           ? std::stod(pieces[d])
-                                           : 0.);
+            std::vector<std::string> all;
+            for (int d = 1; d <= 3; ++d)
+              if (!n_of_type[d].empty())
+                all.push_back(found(d) + " of dimension " + std::to_string(d));
+            throw InputError(
+              mesh.name +
+                (types.empty()
+                   ? " has no cells of dimension " + std::to_string(dim_)
+                   : std::string(
+                       " has cells of dimension 3 beside those of 2")) +
+                "; it has " +
+                (all.empty() ? "no elements at all" : join(all, " and ")) + '.',
+              all.empty() ? "Give a complete mesh."
+                          : "Set Dimension = " +
+                              std::to_string(n_of_type[3].empty() ? 2 : 3) +
+                              ", or give another mesh.");
           }
-        else if (keyword_.word == "ELEMENT")
-          read_element(pieces);
-        else if (keyword_.word == "ELSET")
-          read_set(pieces);
+        if (types.size() > 1)
+          throw InputError(mesh.name + " has mixed cell types: " + found(dim_) +
+                             ".",
+                           "Mesh the object with cells of one type.");
+        if (!(*types.begin())->cell_kind)
+          throw InputError(mesh.name +
+                             " has cells that springfit does not know: " +
+                             found(dim_) + ".",
+                           "Use cells of first order with straight edges: " +
+                             join(words_of(cell_kind_words())) + ".");
+        mesh.cell_kind = *(*types.begin())->cell_kind;
+        for (int d = 1; d < dim_; ++d)
+          if (!n_of_type[d].empty())
+            warn("beside the cells there are elements of dimension " +
+                 std::to_string(d) + ", which are left out: " + found(d) +
+                 (d == dim_ - 1
+                    ? "; where they lie on the boundary, their sets name it."
+                    : "."));
       }
 
-      // The nodes of an element may go on in the next line.
       void
-      read_element(const std::vector<std::string> &pieces)
+      take_vertices()
       {
-        for (const std::string &piece : pieces)
-          if (!piece.empty())
-            numbers_.push_back(std::stoul(piece));
-        const std::size_t n = properties(type_).n_nodes;
-        if (numbers_.size() > n + 1)
-          throw std::invalid_argument("an element has too many nodes");
-        if (numbers_.size() < n + 1)
+        std::size_t n_nodes = 0;
+        for (unsigned int i = 0; i < model_.instances.size(); ++i)
+          {
+            n_nodes += model_.instances[i].nodes.size();
+            for (const AbaqusElement &element : model_.instances[i].elements)
+              if (element.type->dim == dim_)
+                for (const std::size_t node : element.nodes)
+                  used_.emplace_back(i, node);
+          }
+        std::sort(used_.begin(), used_.end());
+        used_.erase(std::unique(used_.begin(), used_.end()), used_.end());
+        for (const auto &[i, label] : used_)
+          mesh.vertices.push_back(model_.instances[i].nodes.at(label));
+        if (n_nodes > used_.size())
+          mesh.warnings.push_back(
+            std::to_string(n_nodes - used_.size()) + " of the " +
+            std::to_string(n_nodes) +
+            " nodes of the mesh belong to no cell and are left out; the others "
+            "are numbered from 0 in the order of their numbers there.");
+      }
+
+      std::optional<unsigned int>
+      vertex_of(const AbaqusItem &node) const
+      {
+        const auto place = std::lower_bound(used_.begin(), used_.end(), node);
+        if (place == used_.end() || *place != node)
+          return {};
+        return place - used_.begin();
+      }
+
+      // Materials are told apart by the names of their set and material.
+      std::size_t
+      group_of(const std::string &set, const std::string &material)
+      {
+        const auto [group, is_new] =
+          index_of_group_.emplace(std::make_pair(in_capitals(set),
+                                                 in_capitals(material)),
+                                  groups_.size());
+        if (is_new)
+          groups_.emplace_back(set, material);
+        return group->second;
+      }
+
+      std::string
+      name_of_group(const std::size_t group) const
+      {
+        return "that of '" + groups_[group].first + '\'';
+      }
+
+      std::string
+      name_of_element_set(const unsigned int instance,
+                          const std::string &key) const
+      {
+        return model_.instances[instance].element_sets.at(key).name;
+      }
+
+      void
+      number_materials(const std::vector<std::size_t> &group_of_cell,
+                       const std::size_t none)
+      {
+        const std::set<std::size_t> used(group_of_cell.begin(),
+                                         group_of_cell.end());
+        std::map<std::size_t, unsigned int> ids;
+        unsigned int next_id = 1;
+        for (const std::size_t group : used)
+          if (group != none)
+            {
+              const auto &[set, material] = groups_[group];
+              mesh.material_names.emplace(next_id, set);
+              if (!material.empty() &&
+                  in_capitals(material) != in_capitals(set))
+                mesh.material_names.emplace(next_id, material);
+              material_keys_.insert(in_capitals(set));
+              material_keys_.insert(in_capitals(material));
+              ids[group] = next_id++;
+            }
+        ids[none] = 0;
+        for (const std::size_t group : group_of_cell)
+          mesh.material_ids.push_back(ids.at(group));
+        const auto n_without =
+          std::count(group_of_cell.begin(), group_of_cell.end(), none);
+        if (n_without > 0 && !mesh.material_names.empty())
+          warn(std::to_string(n_without) +
+               " cells belong to no section and no set of *ELEMENT; their "
+               "material id is 0.");
+      }
+
+      BoundaryGroup &
+      boundary(const std::string &name)
+      {
+        const std::string key = in_capitals(name);
+        BoundaryGroup &group  = boundaries_[key];
+        if (group.name.empty())
+          {
+            group.name = name;
+            order_of_boundaries_.push_back(key);
+          }
+        return group;
+      }
+
+      // Of several instances, each has its sets by its own name, too.
+      std::vector<std::string>
+      names_of(const unsigned int instance, const std::string &name) const
+      {
+        if (instance == 0 || model_.instances.size() <= 2)
+          return {name};
+        return {name, model_.instances[instance].name + '.' + name};
+      }
+
+      void
+      note_missing(const std::string &name, const std::size_t n)
+      {
+        if (n > 0)
+          missing_.push_back('\'' + name + "' (" + std::to_string(n) + ')');
+      }
+
+      void
+      add_vertices(const std::vector<AbaqusItem> &nodes,
+                   std::vector<unsigned int> &vertices) const
+      {
+        for (const AbaqusItem &node : nodes)
+          if (const auto vertex = vertex_of(node))
+            vertices.push_back(*vertex);
+      }
+
+      void
+      take_node_set(const unsigned int instance, const AbaqusSet &set)
+      {
+        const auto members = members_of_set(model_,
+                                            AbaqusSetKind::nodes,
+                                            instance,
+                                            {set.name, {}});
+        note_missing(set.name, members.n_missing);
+        if (!set.is_internal)
+          for (const std::string &name : names_of(instance, set.name))
+            add_vertices(members.items, boundary(name).vertices);
+      }
+
+      // Sides that are given as elements of their own.
+      void
+      take_element_set(const unsigned int instance, const AbaqusSet &set)
+      {
+        const auto members = members_of_set(model_,
+                                            AbaqusSetKind::elements,
+                                            instance,
+                                            {set.name, {}});
+        note_missing(set.name, members.n_missing);
+        bool has_cells = false;
+        for (const AbaqusItem &item : members.items)
+          {
+            const AbaqusElement &element = element_of(item);
+            has_cells = has_cells || element.type->dim == dim_;
+            if (element.type->dim == dim_ - 1)
+              if (const auto side = side_of(item.first, element.nodes))
+                for (const std::string &name : names_of(instance, set.name))
+                  boundary(name).sides.push_back(*side);
+          }
+        if (has_cells)
+          {
+            sets_of_cells_.insert(set.name);
+            if (material_keys_.count(in_capitals(set.name)) == 0)
+              mesh.unused_material_names[set.name] =
+                "is a set of elements that has no section of its own";
+          }
+      }
+
+      void
+      take_surface(const unsigned int instance, const AbaqusSurface &surface)
+      {
+        if (surface.is_internal)
           return;
-        mesh.elements.push_back({numbers_.front(),
-                                 type_,
-                                 {numbers_.begin() + 1, numbers_.end()},
-                                 group_});
-        numbers_.clear();
+        BoundaryGroup own;
+        for (const AbaqusSurface::Item &item : surface.items)
+          {
+            const auto kind = surface.is_of_nodes ? AbaqusSetKind::nodes
+                                                  : AbaqusSetKind::elements;
+            const bool is_label =
+              std::isdigit(static_cast<unsigned char>(item.what[0]));
+            AbaqusMembers members;
+            if (is_label)
+              members.items = {{instance, read_label(item.what, item.place)}};
+            else
+              members =
+                members_of_set(model_, kind, instance, {item.what, item.place});
+            note_missing(surface.name, members.n_missing);
+            if (surface.is_of_nodes)
+              add_vertices(members.items, own.vertices);
+            else
+              for (const AbaqusItem &element : members.items)
+                add_sides(element, item, own.sides);
+          }
+        for (const std::string &name : names_of(instance, surface.name))
+          {
+            BoundaryGroup &group = boundary(name);
+            group.vertices.insert(group.vertices.end(),
+                                  own.vertices.begin(),
+                                  own.vertices.end());
+            group.sides.insert(group.sides.end(),
+                               own.sides.begin(),
+                               own.sides.end());
+          }
+      }
+
+      const AbaqusElement &
+      element_of(const AbaqusItem &item) const
+      {
+        const AbaqusInstance &home = model_.instances[item.first];
+        return home.elements[home.index_of_element.at(item.second)];
+      }
+
+      std::optional<std::vector<unsigned int>>
+      side_of(const unsigned int instance,
+              const std::vector<std::size_t> &nodes) const
+      {
+        std::vector<unsigned int> side;
+        for (const std::size_t node : nodes)
+          if (const auto vertex = vertex_of({instance, node}))
+            side.push_back(*vertex);
+        if (side.size() < nodes.size())
+          return {};
+        std::sort(side.begin(), side.end());
+        return side;
       }
 
       void
-      read_set(const std::vector<std::string> &pieces)
+      add_sides(const AbaqusItem &item,
+                const AbaqusSurface::Item &from,
+                std::vector<std::vector<unsigned int>> &sides) const
       {
-        std::vector<std::size_t> members;
-        for (const std::string &piece : pieces)
-          if (!piece.empty())
-            members.push_back(std::stoul(piece));
-        if (keyword_.settings.count("GENERATE") > 0)
+        const AbaqusInstance &home = model_.instances[item.first];
+        if (home.index_of_element.count(item.second) == 0)
           {
-            const std::size_t last = members.at(1);
-            const std::size_t step = members.size() > 2 ? members[2] : 1;
-            if (step == 0)
-              throw std::invalid_argument("a set has the step 0");
-            members.resize(1);
-            while (members.back() + step <= last)
-              members.push_back(members.back() + step);
+            if (home.shapeless.count(item.second) > 0)
+              return;
+            throw text_error(from.place,
+                             "the element " + std::to_string(item.second) +
+                               " is not defined");
           }
-        for (const std::size_t element : members)
-          mesh.group_of_element.emplace(element, group_);
+        const AbaqusElement &element = element_of(item);
+        if (element.type->dim == dim_ - 1)
+          {
+            if (const auto side = side_of(item.first, element.nodes))
+              sides.push_back(*side);
+            return;
+          }
+        if (element.type->dim != dim_)
+          return;
+
+        const auto &all = element.type->sides;
+        for (std::size_t s = 0; s < all.size(); ++s)
+          {
+            std::vector<std::size_t> nodes;
+            for (const unsigned int position : all[s])
+              nodes.push_back(element.nodes[position]);
+            const auto side = side_of(item.first, nodes);
+            if (from.side.empty() ? std::binary_search(boundary_.begin(),
+                                                       boundary_.end(),
+                                                       *side)
+                                  : number_of_side(from) == s + 1)
+              sides.push_back(*side);
+          }
+        if (!from.side.empty() && number_of_side(from) > all.size())
+          throw text_error(from.place,
+                           "elements of type " + element.type_name +
+                             " have no side '" + from.side + '\'');
       }
 
-      Keyword keyword_;
-      int type_           = 0;
-      unsigned int group_ = 0;
-      std::vector<std::size_t> numbers_;
+      static std::size_t
+      number_of_side(const AbaqusSurface::Item &item)
+      {
+        if (item.side.size() < 2 ||
+            std::string("SEP").find(item.side[0]) == std::string::npos)
+          throw text_error(item.place,
+                           "'" + item.side + "' is no side of a cell",
+                           "Sides are S1, S2, ...");
+        return read_label(item.side.substr(1), item.place);
+      }
+
+      const AbaqusModel &model_;
+      const int dim_;
+      std::vector<AbaqusItem> used_; // the node of each vertex, ascending
+      std::vector<std::pair<unsigned int, const AbaqusElement *>> cells_;
+
+      std::vector<std::pair<std::string, std::string>> groups_;
+      std::map<std::pair<std::string, std::string>, std::size_t>
+        index_of_group_;
+      std::set<std::string> material_keys_;
+
+      std::vector<std::vector<unsigned int>> boundary_; // ascending
+      std::map<std::string, BoundaryGroup> boundaries_;
+      std::vector<std::string> order_of_boundaries_;
+      std::set<std::string> sets_of_cells_;
+      std::vector<std::string> missing_;
     };
-
-    void
-    check_nodes(const AbaqusMesh &mesh)
-    {
-      std::vector<std::size_t> nodes = mesh.nodes;
-      std::sort(nodes.begin(), nodes.end());
-      for (const Element &element : mesh.elements)
-        for (const std::size_t node : element.nodes)
-          if (!std::binary_search(nodes.begin(), nodes.end(), node))
-            throw std::invalid_argument(
-              "element " + std::to_string(element.number) + " has the node " +
-              std::to_string(node) + ", which is not defined");
-    }
-
-    // A group of elements of several types has several entities.
-    void
-    add_to_group(const int dim,
-                 const int entity,
-                 const int group,
-                 const std::string &name)
-    {
-      std::vector<int> members = {entity};
-      gmsh::vectorpair groups;
-      gmsh::model::getPhysicalGroups(groups, dim);
-      if (std::find(groups.begin(), groups.end(), std::pair(dim, group)) !=
-          groups.end())
-        {
-          std::vector<int> old;
-          gmsh::model::getEntitiesForPhysicalGroup(dim, group, old);
-          members.insert(members.end(), old.begin(), old.end());
-          gmsh::model::removePhysicalGroups({{dim, group}});
-        }
-      gmsh::model::addPhysicalGroup(dim, members, group);
-      gmsh::model::setPhysicalName(dim, group, name);
-    }
-
-    void
-    add_block(const std::vector<const Element *> &elements, const int entity)
-    {
-      const int type = elements.front()->type;
-      std::vector<std::size_t> numbers, nodes;
-      for (const Element *element : elements)
-        {
-          numbers.push_back(element->number);
-          nodes.insert(nodes.end(),
-                       element->nodes.begin(),
-                       element->nodes.end());
-        }
-      gmsh::model::addDiscreteEntity(properties(type).dim, entity);
-      gmsh::model::mesh::addElementsByType(entity, type, numbers, nodes);
-    }
-
-    void
-    fill_gmsh(const AbaqusMesh &mesh)
-    {
-      // Elements of the same group and type, each for one entity of gmsh.
-      std::map<std::pair<unsigned int, int>, std::vector<const Element *>>
-        blocks;
-      int dim = 0;
-      for (const Element &element : mesh.elements)
-        {
-          const auto set = mesh.group_of_element.find(element.number);
-          const unsigned int group =
-            set == mesh.group_of_element.end() ? element.group : set->second;
-          blocks[{group, element.type}].push_back(&element);
-          dim = std::max(dim, properties(element.type).dim);
-        }
-      if (blocks.empty())
-        return;
-
-      int entity = 1; // holds the nodes
-      gmsh::model::addDiscreteEntity(dim, entity);
-      gmsh::model::mesh::addNodes(dim, entity, mesh.nodes, mesh.coordinates);
-      for (const auto &[group_and_type, elements] : blocks)
-        {
-          const auto &[group, type] = group_and_type;
-          add_block(elements, ++entity);
-          if (group > 0)
-            add_to_group(properties(type).dim,
-                         entity,
-                         group,
-                         mesh.groups[group - 1]);
-        }
-    }
   } // namespace
 
 
-  void
-  open_abaqus_file(const std::filesystem::path &file)
+  MeshDescription
+  read_abaqus_file(const std::filesystem::path &file,
+                   const std::string &name,
+                   const int dim)
   {
-    std::ifstream stream(file);
-    Reader reader;
-    std::string line;
-    unsigned int n_lines = 0;
-    try
-      {
-        while (std::getline(stream, line))
-          {
-            ++n_lines;
-            if (!line.empty() && line.back() == '\r')
-              line.pop_back();
-            reader.read(line);
-          }
-        check_nodes(reader.mesh);
-      }
-    catch (const std::logic_error &error) // of stoul, stod, at and this file
-      {
-        throw InputError("Mesh file '" + file.string() + "', line " +
-                           std::to_string(n_lines) + ", cannot be read (" +
-                           error.what() + ").",
-                         "Mend it, or convert it to .msh.");
-      }
-    fill_gmsh(reader.mesh);
+    const AbaqusModel model = make_abaqus_model(read_abaqus_blocks(file));
+    HandOver hand_over(model, name, dim);
+    hand_over.take_cells();
+    hand_over.take_materials();
+    hand_over.take_boundaries();
+    return std::move(hand_over.mesh);
   }
 } // namespace springfit

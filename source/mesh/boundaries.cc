@@ -5,6 +5,7 @@
 #include <deal.II/grid/tria_accessor.h>
 
 #include <map>
+#include <set>
 
 namespace springfit
 {
@@ -48,25 +49,19 @@ namespace springfit
     for (const auto &face : mesh.triangulation.active_face_iterators())
       if (face->at_boundary())
         {
-          const auto id   = face->boundary_id();
-          const auto name = mesh.boundary_names.find(id);
+          const auto id = face->boundary_id();
           auto &row =
-            rows
-              .try_emplace(id,
-                           BoundaryRow{id,
-                                       name == mesh.boundary_names.end()
-                                         ? ""
-                                         : name->second,
-                                       0,
-                                       0.})
-              .first->second;
+            rows.try_emplace(id, BoundaryRow{id, "", 0, 0.}).first->second;
           ++row.n_faces;
           row.area += area_of(face);
         }
 
     std::vector<BoundaryRow> table;
     for (const auto &[id, row] : rows)
-      table.push_back(row);
+      {
+        table.push_back(row);
+        table.back().name = joined_names(mesh.boundary_names, id);
+      }
     return table;
   }
 
@@ -77,14 +72,14 @@ namespace springfit
                   const std::vector<std::string> &ids_or_names,
                   const std::string &entry)
   {
-    std::vector<IdAndName> known;
-    for (const BoundaryRow &row : boundary_table(mesh))
-      known.push_back({row.id, row.name});
-
-    std::set<dealii::types::boundary_id> result;
+    std::set<dealii::types::boundary_id> ids, result;
+    for (const auto &face : mesh.triangulation.active_face_iterators())
+      if (face->at_boundary())
+        ids.insert(face->boundary_id());
+    const auto known = ids_and_names(ids, mesh.boundary_names);
     for (const std::string &word : ids_or_names)
-      for (const unsigned int id : find_ids(known, word, "boundary", entry))
-        result.insert(id);
+      result.merge(
+        find_ids(known, mesh.unused_boundary_names, word, "boundary", entry));
     return result;
   }
 

@@ -88,6 +88,8 @@ namespace springfit
                                 description.boundary_names.end());
     mesh->material_names.insert(description.material_names.begin(),
                                 description.material_names.end());
+    mesh->unused_boundary_names = description.unused_boundary_names;
+    mesh->unused_material_names = description.unused_material_names;
 
     mesh->triangulation.create_triangulation(points_of<dim>(description),
                                              cells_of<dim>(description),

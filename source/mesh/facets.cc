@@ -82,13 +82,13 @@ namespace springfit
   }
 
 
-  std::vector<std::vector<unsigned int>>
-  boundary_sides(const MeshDescription &mesh)
+  std::vector<CellSide>
+  boundary_cell_sides(const MeshDescription &mesh)
   {
     std::vector<Side> sides = all_sides(mesh);
     std::sort(sides.begin(), sides.end());
 
-    std::vector<Side> single;
+    std::vector<unsigned int> single; // numbers in the order of the cells
     for (std::size_t i = 0; i < sides.size();)
       {
         std::size_t end = i + 1;
@@ -101,20 +101,32 @@ namespace springfit
               describe_cell(mesh, sides[i].cell) + ".",
             "At most two cells may meet there: look for cells that overlap.");
         if (end - i == 1)
-          single.push_back(sides[i]);
+          single.push_back(sides[i].number);
         i = end;
       }
-    std::sort(single.begin(), single.end(), [](const Side &a, const Side &b) {
-      return a.number < b.number;
-    });
+    std::sort(single.begin(), single.end());
 
-    std::vector<std::vector<unsigned int>> result;
+    const unsigned int n_sides = sides_of(mesh.cell_kind).size();
+    std::vector<CellSide> result;
     result.reserve(single.size());
-    for (const Side &side : single)
-      result.emplace_back(side.vertices.begin(),
-                          std::find(side.vertices.begin(),
-                                    side.vertices.end(),
-                                    none));
+    for (const unsigned int number : single)
+      result.push_back({number / n_sides, number % n_sides});
+    return result;
+  }
+
+
+  std::vector<std::vector<unsigned int>>
+  boundary_sides(const MeshDescription &mesh)
+  {
+    std::vector<std::vector<unsigned int>> result;
+    for (const CellSide &place : boundary_cell_sides(mesh))
+      {
+        std::vector<unsigned int> vertices;
+        for (const unsigned int i : sides_of(mesh.cell_kind)[place.side])
+          vertices.push_back(mesh.cell(place.cell)[i]);
+        std::sort(vertices.begin(), vertices.end());
+        result.push_back(std::move(vertices));
+      }
     return result;
   }
 

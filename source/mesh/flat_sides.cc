@@ -28,15 +28,15 @@ namespace springfit
   }
 
 
-  std::map<unsigned int, std::string>
+  std::multimap<unsigned int, std::string>
   names_of_sides(const int dim)
   {
-    std::map<unsigned int, std::string> names;
+    std::multimap<unsigned int, std::string> names;
     for (int d = 0; d < dim; ++d)
       {
         const std::string axis(1, "xyz"[d]);
-        names[2 * d]     = axis + " min";
-        names[2 * d + 1] = axis + " max";
+        names.emplace(2 * d, axis + " min");
+        names.emplace(2 * d + 1, axis + " max");
       }
     return names;
   }

@@ -75,7 +75,8 @@ namespace springfit
       "transition, the width of its straight part and, for "
       "tetrahedra, its thickness; the radius of a hole; a quarter "
       "of the tissue's smaller extent. The largest edge that a geometry file is meshed with; a "
-      "mesh file has its own. Not for a cell. In m.");
+      "mesh file has its own. Not for a cell. If empty, " +
+        text_of({default_cell_size}) + ". In m.");
     add_parameter("Jitter",
                   jitter_,
                   "Distort the mesh: each coordinate of every vertex inside "
@@ -87,10 +88,18 @@ namespace springfit
                   file_,
                   "Mesh file (.msh 1 to 4, .vtk, .inp, .unv, .mesh, .bdf) or "
                   "geometry file (.geo, .step, .brep), relative to the folder "
-                  "of this parameter file. No unit.");
+                  "of this parameter file. A .geo file is a program that gmsh "
+                  "runs: take none from strangers. No unit.");
+    add_parameter("Material ids",
+                  material_array_,
+                  "Name of the cell array of a .vtk file that holds the ids of "
+                  "the materials and, for sides of cells, of the boundaries. "
+                  "No unit.");
     add_parameter("Scale",
                   scale_,
-                  "Length of a unit of File, as 0.001 for a file in mm. In m.");
+                  "Length of a unit of File, as 0.001 for a file in mm. In m. "
+                  "STEP and IGES files state their unit and are taken in m: "
+                  "leave it at 1.");
     this->parse_parameters_call_back.connect([this]() {
       complete();
       check();
@@ -106,6 +115,8 @@ namespace springfit
     const auto &sizes = find_object(object_).default_size;
     if (const auto own = sizes.find(dim); size_.empty() && own != sizes.end())
       this->prm.set("Size", text_of(own->second));
+    if (cell_size_.empty() && find_object(object_).check_files == nullptr)
+      this->prm.set("Cell size", text_of({default_cell_size}));
   }
 
 
@@ -120,7 +131,8 @@ namespace springfit
     request.cell_size = cell_size_;
     if (!file_.empty())
       request.file = folder_of_prm / file_;
-    request.scale = scale_;
+    request.scale          = scale_;
+    request.material_array = material_array_;
     return request;
   }
 

@@ -1,5 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/mesh/gmsh_model.h>
+#include <springfit/mesh/vertex_order.h>
 
 #include <gmsh.h>
 
@@ -20,18 +21,6 @@ namespace springfit
                                                     {4, CellKind::tetrahedron},
                                                     {5, CellKind::hexahedron}};
       return kinds;
-    }
-
-    // gmsh numbers around a face, deal.II along the axes.
-    const std::vector<unsigned int> &
-    gmsh_order(const CellKind kind)
-    {
-      static const std::map<CellKind, std::vector<unsigned int>> orders = {
-        {CellKind::triangle, {0, 1, 2}},
-        {CellKind::quadrilateral, {0, 1, 3, 2}},
-        {CellKind::tetrahedron, {0, 1, 2, 3}},
-        {CellKind::hexahedron, {0, 1, 3, 2, 4, 5, 7, 6}}};
-      return orders.at(kind);
     }
 
     struct ElementType
@@ -129,7 +118,7 @@ namespace springfit
     add_cells(GmshCells &result, const Elements &elements)
     {
       MeshDescription &mesh = result.mesh;
-      const auto &order     = gmsh_order(mesh.cell_kind);
+      const auto &order     = order_around_faces(mesh.cell_kind);
       const unsigned int n  = order.size();
 
       mesh.group_begins.push_back(mesh.n_cells());

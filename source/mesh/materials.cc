@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria_accessor.h>
 
 #include <map>
+#include <set>
 
 namespace springfit
 {
@@ -16,33 +17,37 @@ namespace springfit
     std::map<dealii::types::material_id, MaterialRow> rows;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
-        const auto id   = cell->material_id();
-        const auto name = mesh.material_names.find(id);
-        MaterialRow empty{id, "", 0, 0.};
-        if (name != mesh.material_names.end())
-          empty.name = name->second;
-        auto &row = rows.try_emplace(id, empty).first->second;
+        const auto id = cell->material_id();
+        auto &row =
+          rows.try_emplace(id, MaterialRow{id, "", 0, 0.}).first->second;
         ++row.n_cells;
         row.measure += cell->measure();
       }
 
     std::vector<MaterialRow> table;
     for (const auto &[id, row] : rows)
-      table.push_back(row);
+      {
+        table.push_back(row);
+        table.back().name = joined_names(mesh.material_names, id);
+      }
     return table;
   }
 
 
   template <int dim>
-  dealii::types::material_id
-  find_material(const Mesh<dim> &mesh,
-                const std::string &id_or_name,
-                const std::string &entry)
+  std::set<dealii::types::material_id>
+  find_materials(const Mesh<dim> &mesh,
+                 const std::string &id_or_name,
+                 const std::string &entry)
   {
-    std::vector<IdAndName> known;
-    for (const MaterialRow &row : material_table(mesh))
-      known.push_back({row.id, row.name});
-    return find_ids(known, id_or_name, "material", entry).front();
+    std::set<dealii::types::material_id> ids;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      ids.insert(cell->material_id());
+    return find_ids(ids_and_names(ids, mesh.material_names),
+                    mesh.unused_material_names,
+                    id_or_name,
+                    "material",
+                    entry);
   }
 
 
@@ -65,10 +70,10 @@ namespace springfit
   material_table(const Mesh<2> &);
   template std::vector<MaterialRow>
   material_table(const Mesh<3> &);
-  template dealii::types::material_id
-  find_material(const Mesh<2> &, const std::string &, const std::string &);
-  template dealii::types::material_id
-  find_material(const Mesh<3> &, const std::string &, const std::string &);
+  template std::set<dealii::types::material_id>
+  find_materials(const Mesh<2> &, const std::string &, const std::string &);
+  template std::set<dealii::types::material_id>
+  find_materials(const Mesh<3> &, const std::string &, const std::string &);
   template std::string
   format_material_table<2>(const std::vector<MaterialRow> &);
   template std::string

@@ -3,34 +3,189 @@
 #include <springfit/mesh/name_lookup.h>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <sstream>
 
 namespace springfit
 {
-  std::vector<unsigned int>
+  namespace
+  {
+    std::string
+    in_capitals(std::string text)
+    {
+      for (char &c : text)
+        c = std::toupper(static_cast<unsigned char>(c));
+      return text;
+    }
+
+    bool
+    is_quoted(const std::string &word)
+    {
+      return word.size() > 1 && word.front() == '"' && word.back() == '"';
+    }
+
+    std::set<unsigned int>
+    ids_by_number(const std::vector<IdAndName> &known,
+                  const std::string &number)
+    {
+      std::set<unsigned int> ids;
+      for (const IdAndName &candidate : known)
+        if (std::to_string(candidate.id) == number)
+          ids.insert(candidate.id);
+      return ids;
+    }
+
+    // As it is spelt, or else whatever the case if that leaves one spelling.
+    std::set<unsigned int>
+    ids_by_name(const std::vector<IdAndName> &known, const std::string &name)
+    {
+      std::set<unsigned int> exact, similar;
+      std::set<std::string> spellings;
+      for (const IdAndName &candidate : known)
+        {
+          if (candidate.name.empty())
+            continue;
+          if (candidate.name == name)
+            exact.insert(candidate.id);
+          if (in_capitals(candidate.name) == in_capitals(name))
+            {
+              similar.insert(candidate.id);
+              spellings.insert(candidate.name);
+            }
+        }
+      if (!exact.empty() || spellings.size() > 1)
+        return exact;
+      return similar;
+    }
+
+    /** "1, 2 'left', 'all'" */
+    std::string
+    listed(const std::vector<IdAndName> &known)
+    {
+      constexpr unsigned int n_listed = 30;
+      std::map<unsigned int, std::string> names;
+      for (const IdAndName &candidate : known)
+        {
+          std::string &text = names[candidate.id];
+          if (!candidate.name.empty())
+            text += std::string(text.empty() ? " '" : " and '") +
+                    candidate.name + '\'';
+        }
+      std::vector<std::string> words;
+      for (const auto &[id, text] : names)
+        if (words.size() < n_listed)
+          words.push_back(std::to_string(id) + text);
+      if (names.size() > n_listed)
+        words.push_back(std::to_string(names.size() - n_listed) + " more");
+      return join(words);
+    }
+
+    std::string
+    listed(const UnusedNames &unused, const std::string &what)
+    {
+      constexpr unsigned int n_listed = 30;
+      std::vector<std::string> words;
+      for (const auto &[name, reason] : unused)
+        if (words.size() < n_listed)
+          words.push_back('\'' + name + "' (" + reason + ')');
+      if (unused.size() > n_listed)
+        words.push_back(std::to_string(unused.size() - n_listed) + " more");
+      return words.empty() ? ""
+                           : " Names in the file that are no " + what + ": " +
+                               join(words) + '.';
+    }
+
+    std::string
+    reason_of(const UnusedNames &unused, const std::string &name)
+    {
+      for (const auto &[other, reason] : unused)
+        if (in_capitals(other) == in_capitals(name))
+          return "the name '" + other + "' is in the file, but it " + reason +
+                 '.';
+      return "";
+    }
+
+    std::vector<std::string>
+    names_in(const std::vector<IdAndName> &known)
+    {
+      std::vector<std::string> names;
+      for (const IdAndName &candidate : known)
+        if (!candidate.name.empty())
+          names.push_back(candidate.name);
+      return names;
+    }
+  } // namespace
+
+
+  std::vector<IdAndName>
+  ids_and_names(const std::set<unsigned int> &ids,
+                const std::multimap<unsigned int, std::string> &names)
+  {
+    std::vector<IdAndName> result;
+    for (const unsigned int id : ids)
+      {
+        const auto [begin, end] = names.equal_range(id);
+        if (begin == end)
+          result.push_back({id, ""});
+        for (auto name = begin; name != end; ++name)
+          result.push_back({id, name->second});
+      }
+    return result;
+  }
+
+
+  std::string
+  joined_names(const std::multimap<unsigned int, std::string> &names,
+               const unsigned int id)
+  {
+    std::vector<std::string> of_id;
+    const auto [begin, end] = names.equal_range(id);
+    for (auto name = begin; name != end; ++name)
+      of_id.push_back(name->second);
+    return join(of_id);
+  }
+
+
+  std::set<unsigned int>
   find_ids(const std::vector<IdAndName> &known,
+           const UnusedNames &unused,
            const std::string &word,
            const std::string &what,
            const std::string &entry)
   {
-    std::vector<unsigned int> ids;
-    std::vector<std::string> names, listed;
-    for (const IdAndName &candidate : known)
-      {
-        const std::string id = std::to_string(candidate.id);
-        if (word == id || (!word.empty() && word == candidate.name))
-          ids.push_back(candidate.id);
-        if (!candidate.name.empty())
-          names.push_back(candidate.name);
-        listed.push_back(
-          candidate.name.empty() ? id : id + " '" + candidate.name + "'");
-      }
-    if (ids.empty())
+    const std::string name =
+      is_quoted(word) ? word.substr(1, word.size() - 2) : word;
+    const auto by_name = ids_by_name(known, name);
+    const auto by_number =
+      is_quoted(word) ? std::set<unsigned int>() : ids_by_number(known, word);
+    if (!by_name.empty() && !by_number.empty() && by_name != by_number)
       throw EntryError(entry,
-                       "the mesh has no " + what + " '" + word + "'." +
-                         did_you_mean(word, names),
-                       "It has: " + join(listed) + ".");
-    return ids;
+                       "'" + word + "' is the number of one " + what +
+                         " and the name of another.",
+                       "Write \"" + word + "\" in quotes for the name, id " +
+                         word + " for the number. There are: " + listed(known) +
+                         '.');
+    if (!by_name.empty())
+      return by_name;
+    if (!by_number.empty())
+      return by_number;
+
+    const std::string explicit_number = "id ";
+    if (word.rfind(explicit_number, 0) == 0)
+      {
+        const auto ids =
+          ids_by_number(known, word.substr(explicit_number.size()));
+        if (!ids.empty())
+          return ids;
+      }
+    const std::string reason = reason_of(unused, name);
+    throw EntryError(entry,
+                     reason.empty()
+                       ? "the mesh has no " + what + " '" + name + "'." +
+                           did_you_mean(name, names_in(known))
+                       : reason,
+                     "It has: " + listed(known) + '.' + listed(unused, what));
   }
 
 

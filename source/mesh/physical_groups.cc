@@ -1,4 +1,3 @@
-#include <springfit/mesh/abaqus_file.h>
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/physical_groups.h>
 
@@ -178,17 +177,17 @@ namespace springfit
     }
 
     // gmsh gives a reversed group the negative of its number.
-    std::map<unsigned int, std::string>
+    std::multimap<unsigned int, std::string>
     names_of_ids(const int dim, const std::set<unsigned int> &ids)
     {
-      std::map<unsigned int, std::string> names;
+      std::multimap<unsigned int, std::string> names;
       for (const unsigned int id : ids)
         for (const int tag : {-static_cast<int>(id), static_cast<int>(id)})
           {
             std::string name;
             gmsh::model::getPhysicalName(dim, tag, name);
             if (!name.empty())
-              names[id] = name;
+              names.emplace(id, name);
           }
       return names;
     }
@@ -198,9 +197,6 @@ namespace springfit
   void
   open_with_groups(const std::filesystem::path &file, const int dim)
   {
-    if (file.extension() == ".inp")
-      return open_abaqus_file(file);
-
     gmsh::open(file.string());
     if (has_ambiguous_groups(dim) && states_groups_by_element(file))
       {

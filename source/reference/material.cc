@@ -1,6 +1,7 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 #include <springfit/mesh/materials.h>
+#include <springfit/mesh/name_lookup.h>
 #include <springfit/reference/material.h>
 
 #include <cmath>
@@ -116,7 +117,7 @@ namespace springfit
     const auto pieces = split_at_commas(text);
     for (const auto &piece : pieces)
       {
-        const auto colon       = piece.find(':');
+        const auto colon       = piece.rfind(':');
         const std::string name = colon == std::string::npos
                                    ? ""
                                    : blanks_removed(piece.substr(0, colon));
@@ -205,11 +206,26 @@ namespace springfit
                        const Mesh<dim> &mesh,
                        const dealii::types::material_id id)
   {
+    const double *found = nullptr;
     for (const auto &[name, value] : constant.by_name)
-      if (name.empty() || find_material(mesh, name, constant.entry) == id)
-        return value;
+      {
+        if (!name.empty() &&
+            find_materials(mesh, name, constant.entry).count(id) == 0)
+          continue;
+        if (found != nullptr && *found != value)
+          throw EntryError(constant.entry,
+                           "the material " + std::to_string(id) + " (" +
+                             joined_names(mesh.material_names, id) +
+                             ") has two values, by several of its names.",
+                           "Give it one.");
+        found = &value;
+      }
+    if (found != nullptr)
+      return *found;
+    const std::string name = joined_names(mesh.material_names, id);
     throw EntryError(constant.entry,
                      "the material " + std::to_string(id) +
+                       (name.empty() ? "" : " (" + name + ")") +
                        " of the mesh has no value.",
                      "Add \"" + std::to_string(id) + ": value\".");
   }
@@ -223,7 +239,7 @@ namespace springfit
          {&youngs_modulus_, &poissons_ratio_, &density_})
       for (const auto &[name, value] : constant->by_name)
         if (!name.empty())
-          find_material(mesh, name, constant->entry);
+          find_materials(mesh, name, constant->entry);
 
     MaterialTable table;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())

@@ -144,14 +144,19 @@ namespace springfit
       "Those of the cases whose responses a fit of the whole object is made "
       "with, where it is made with 'Fields = responses'; empty: all of them "
       "(no unit). The others are loads that it has not seen.");
-    add_parameter("Fixed boundaries",
-                  fixed_boundaries_,
-                  "Boundary ids or physical names whose nodes are held in all "
-                  "directions (no unit).");
-    add_parameter("Loaded boundaries",
-                  loaded_boundaries_,
-                  "Boundary ids or physical names on which the traction acts "
-                  "(no unit).");
+    add_parameter(
+      "Fixed boundaries",
+      fixed_boundaries_,
+      "Boundary ids or names whose nodes are held in all directions; "
+      "a name that holds a comma, or is a number, stands in double "
+      "quotes, and \"id 2\" is the number 2. If empty and there is "
+      "no 'Fixed region', 0 (no unit).");
+    add_parameter(
+      "Loaded boundaries",
+      loaded_boundaries_,
+      "Boundary ids or names on which the traction acts, written as "
+      "those that are fixed. If empty and there is no 'Loaded "
+      "region', 1 (no unit).");
     add_parameter("Fixed region",
                   fixed_region_,
                   "Instead of 'Fixed boundaries': a condition on x, y, z in m "
@@ -165,6 +170,27 @@ namespace springfit
                   "The force is scaled so that the linear finite element "
                   "model's largest displacement is this times the object's "
                   "extent along the pull (no unit, 0.1 is 10 %), positive.");
+    this->parse_parameters_call_back.connect([this]() {
+      complete("Fixed", fixed_boundaries_, fixed_region_, "0");
+      complete("Loaded", loaded_boundaries_, loaded_region_, "1");
+    });
+  }
+
+  template <int dim>
+  void
+  Loads<dim>::complete(const std::string &which,
+                       const std::string &boundaries,
+                       const std::string &region,
+                       const std::string &otherwise)
+  {
+    if (!boundaries.empty() && !region.empty())
+      throw EntryError("Loads/" + which + " region",
+                       "'" + which + " boundaries = " + boundaries +
+                         "' is given beside it.",
+                       "Give one of the two and leave the other empty.");
+    // Through the entry, so that it is among the values in force.
+    if (boundaries.empty() && region.empty())
+      this->prm.set(which + " boundaries", otherwise);
   }
 
   template <int dim>

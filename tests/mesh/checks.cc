@@ -198,16 +198,56 @@ TEST(Sides, three_cells_on_one_are_refused)
 TEST(Names, are_found_by_number_and_by_name)
 {
   const std::vector<IdAndName> known = {{3, "left"}, {7, ""}, {9, "top side"}};
-  EXPECT_EQ(find_ids(known, "7", "boundary", "E"),
-            (std::vector<unsigned int>{7}));
-  EXPECT_EQ(find_ids(known, "top side", "boundary", "E"),
-            (std::vector<unsigned int>{9}));
-  expect_error([&]() { find_ids(known, "lef", "boundary", "Loads/Fixed"); },
+  EXPECT_EQ(find_ids(known, {}, "7", "boundary", "E"),
+            (std::set<unsigned int>{7}));
+  EXPECT_EQ(find_ids(known, {}, "top side", "boundary", "E"),
+            (std::set<unsigned int>{9}));
+  expect_error([&]() { find_ids(known, {}, "lef", "boundary", "Loads/Fixed"); },
                {"Loads/Fixed",
                 "no boundary 'lef'",
                 "Did you mean 'left'?",
                 "3 'left', 7, 9 'top side'"});
-  expect_error([&]() { find_ids(known, "", "boundary", "E"); }, {"''"});
+  expect_error([&]() { find_ids(known, {}, "", "boundary", "E"); }, {"''"});
+}
+
+TEST(Names, that_are_numbers_of_others_are_ambiguous)
+{
+  const std::vector<IdAndName> known = {{1, "2"},
+                                        {2, "7"},
+                                        {3, "a, b"},
+                                        {4, "4"}};
+  using Ids                          = std::set<unsigned int>;
+  expect_error([&]() { find_ids(known, {}, "2", "boundary", "E"); },
+               {"'2' is the number of one boundary and the name of another",
+                "id 2"});
+  EXPECT_EQ(find_ids(known, {}, "\"2\"", "boundary", "E"), Ids{1});
+  EXPECT_EQ(find_ids(known, {}, "id 2", "boundary", "E"), Ids{2});
+  EXPECT_EQ(find_ids(known, {}, "7", "boundary", "E"), Ids{2});
+  EXPECT_EQ(find_ids(known, {}, "4", "boundary", "E"), Ids{4});
+  EXPECT_EQ(find_ids(known, {}, "\"a, b\"", "boundary", "E"), Ids{3});
+}
+
+TEST(Names, of_several_groups_hold_them_all)
+{
+  EXPECT_EQ(find_ids({{1, "skin"}, {2, "skin"}, {3, "bone"}},
+                     {},
+                     "skin",
+                     "boundary",
+                     "E"),
+            (std::set<unsigned int>{1, 2}));
+}
+
+TEST(Names, that_are_of_no_use_say_why)
+{
+  expect_error(
+    [&]() {
+      find_ids({{1, "skin"}},
+               {{"Inner", "lies inside the body"}},
+               "inner",
+               "boundary",
+               "E");
+    },
+    {"'Inner' is in the file, but it lies inside the body", "1 'skin'"});
 }
 
 TEST(Names, the_table_stands_in_columns)

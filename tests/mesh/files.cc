@@ -24,6 +24,8 @@ namespace
                           MESH_DATA);
   }
 
+  using Ids = std::set<dealii::types::material_id>;
+
   void
   read_bad(const std::string &file, const std::vector<std::string> &words)
   {
@@ -63,9 +65,9 @@ namespace
     EXPECT_EQ(materials[0].id, 3u);
     EXPECT_EQ(materials[0].n_cells, 2u);
     EXPECT_EQ(materials[1].id, 12u);
-    EXPECT_EQ(find_material(mesh, "stiff part", "E"), 12u);
-    EXPECT_EQ(find_material(mesh, "3", "E"), 3u);
-    expect_error([&]() { find_material(mesh, "stif part", "Material/E"); },
+    EXPECT_EQ(find_materials(mesh, "stiff part", "E"), Ids{12});
+    EXPECT_EQ(find_materials(mesh, "3", "E"), Ids{3});
+    expect_error([&]() { find_materials(mesh, "stif part", "Material/E"); },
                  {"Material/E", "Did you mean 'stiff part'?", "3 'soft part'"});
     EXPECT_TRUE(has_warning(mesh.warnings, "4 of 8 boundary edges"));
   }
@@ -144,20 +146,11 @@ TEST(File, with_a_solid_geometry_is_meshed_but_not_with_hexahedra)
     {"Geometry/Cell size", "cells"});
 }
 
-TEST(File, with_cells_of_its_own_does_not_use_the_cell_size)
+TEST(File, with_cells_of_its_own_has_no_cell_size)
 {
-  const std::string warning = "Geometry/Cell size is not used";
-  const auto given          = read<2>("plate_v2.msh", "Cell size = 0.001");
-  EXPECT_TRUE(has_warning(given->warnings, warning));
-  expect_plate(*given);
-  EXPECT_TRUE(
-    has_warning(read<2>("plate.inp", "Cell size = 0.1")->warnings, warning));
-  EXPECT_FALSE(has_warning(read<2>("plate_v2.msh")->warnings, warning));
-  EXPECT_FALSE(has_warning(read<2>("plate.geo",
-                                   "Scale = 0.001; Cells = triangles; "
-                                   "Cell size = 0.001")
-                             ->warnings,
-                           warning));
+  for (const std::string file : {"plate_v2.msh", "plate.inp"})
+    expect_error([&]() { read<2>(file, "Cell size = 0.0025"); },
+                 {"Geometry/Cell size", file, "has its own cells"});
 }
 
 TEST(File, of_every_format_is_read)
@@ -225,14 +218,150 @@ TEST(File, of_abaqus_has_its_element_sets)
   EXPECT_EQ(find_boundaries(*mesh, {"left", "right"}, "E").size(), 2u);
   EXPECT_NEAR(boundary_table(*mesh)[1].area, 0.02, 1e-15);
   const auto materials = material_table(*mesh);
-  ASSERT_EQ(materials.size(), 2u);
+  ASSERT_EQ(materials.size(), 1u);
   EXPECT_EQ(materials[0].name, "soft part");
-  EXPECT_EQ(materials[1].name, "stiff part");
-  EXPECT_EQ(materials[1].n_cells, 1u);
+  EXPECT_EQ(materials[0].n_cells, 4u);
+  // A set without a section takes no cells from the material.
+  expect_error([&]() { find_materials(*mesh, "stiff part", "E"); },
+               {"'stiff part'", "no section of its own", "1 'soft part'"});
 
   read_bad("unknown_type.inp", {"line 7", "'XYZ9' is not known"});
   read_bad("unknown_node.inp", {"element 1", "node 5"});
   read_bad("no_number.inp", {"line 3", "cannot be read"});
+}
+
+TEST(File, of_abaqus_has_its_instances_where_they_are_placed)
+{
+  const auto mesh = read<3>("two_instances.inp");
+  EXPECT_EQ(mesh->triangulation.n_vertices(), 16u);
+  EXPECT_NEAR(measure_of(*mesh), 2., 1e-14);
+  const auto area = [&](const std::string &name) {
+    double sum     = 0.;
+    const auto ids = find_boundaries(*mesh, {name}, "E");
+    for (const auto &row : boundary_table(*mesh))
+      if (ids.count(row.id) > 0)
+        sum += row.area;
+    return sum;
+  };
+  EXPECT_NEAR(area("bottom"), 2., 1e-14);
+  EXPECT_NEAR(area("I1.bottom"), 1., 1e-14);
+  EXPECT_NEAR(area("TOP1"), 1., 1e-14);
+  EXPECT_NEAR(area("s"), 1., 1e-14);
+  EXPECT_EQ(find_materials(*mesh, "steel", "E"), Ids{1});
+  EXPECT_TRUE(has_warning(mesh->warnings, "*STEP, *STATIC"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 of type SPRING1"));
+}
+
+TEST(File, of_medit_may_have_its_counts_in_the_line_of_the_keyword)
+{
+  const auto mesh = read<3>("counts_in_line.mesh");
+  EXPECT_NEAR(measure_of(*mesh), 1. / 6., 1e-15);
+  EXPECT_EQ(material_table(*mesh)[0].id, 7u);
+  EXPECT_EQ(find_boundaries(*mesh, {"5"}, "E").size(), 1u);
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 of the 5 nodes"));
+}
+
+TEST(File, of_nastran_may_mark_its_continuations)
+{
+  EXPECT_NEAR(measure_of(*read<3>("marked_continuation.bdf")), 0.015, 1e-12);
+}
+
+TEST(File, of_vtk_may_be_new_and_its_arrays_name_materials)
+{
+  const auto mesh = read<2>("version_5.vtk", "Material ids = tissue");
+  EXPECT_NEAR(measure_of(*mesh), 2., 1e-15);
+  const auto materials = material_table(*mesh);
+  ASSERT_EQ(materials.size(), 2u);
+  EXPECT_EQ(materials[0].id, 3u);
+  EXPECT_EQ(materials[1].id, 8u);
+  EXPECT_TRUE(has_warning(read<2>("version_5.vtk")->warnings, "'tissue'"));
+  expect_error([]() { read<2>("version_5.vtk", "Material ids = bone"); },
+               {"Geometry/Material ids", "no cell array 'bone'", "'tissue'"});
+}
+
+TEST(File, of_abaqus_has_what_decks_have_every_day)
+{
+  const auto mesh = read<3>("everyday.inp");
+  EXPECT_NEAR(measure_of(*mesh), 0.25 / 6., 1e-16);
+  EXPECT_EQ(find_materials(*mesh, "soft", "E"), Ids{1});
+  EXPECT_EQ(find_materials(*mesh, "body", "E"), Ids{1});
+  ASSERT_EQ(find_boundaries(*mesh, {"side"}, "E").size(), 1u);
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 of the 5 nodes"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 of type MASS"));
+  expect_error([&]() { find_boundaries(*mesh, {"base"}, "E"); },
+               {"'base'", "holds no whole face"});
+}
+
+TEST(File, that_loses_something_is_refused)
+{
+  const std::string again = "a second time";
+  read_bad("repeated_element.msh", {"line 16", "element 1", again});
+  read_bad("too_few_elements.msh", {"line 17", "element 3 of the 3"});
+  read_bad("too_many_elements.msh", {"line 16", "$EndElements"});
+  read_bad("cut_short.mesh",
+           {"the file ends where number 2 of the 2 Triangles"});
+  read_bad("cut_short.bdf", {"line 7", "element 2", "3 nodes instead of 4"});
+  read_bad("other_system.bdf", {"line 4", "coordinate system 5"});
+  read_bad("word_as_coordinate.bdf", {"line 2", "'abc'"});
+  read_bad("include.bdf", {"line 2", "INCLUDE"});
+  read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
+  read_bad("cut_short.vtk", {"the file ends too early"});
+  read_bad("copied_nodes.inp", {"line 6", "*NCOPY"});
+  read_bad("repeated_element.inp", {"line 8", "element 1", again});
+  read_bad("short_element.inp", {"line 7", "3 nodes instead of 4"});
+  read_bad("number_with_tail.inp", {"line 3", "'2.x'"});
+}
+
+TEST(File, of_a_format_that_is_not_read_says_what_it_is)
+{
+  read_bad("ucd.inp", {"line 1", "AVS-UCD"});
+  read_bad("xml.vtu", {"VTK XML", "meshio convert"});
+  read_bad("surface.stl", {"surface without cells", "Surface Loop(1)"});
+}
+
+TEST(File, whose_ending_is_in_capitals_is_read)
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() / "springfit_capitals";
+  std::filesystem::create_directories(folder);
+  for (const std::string ending : {"msh", "inp"})
+    {
+      const std::string name = ending == "msh" ? "PLATE.MSH" : "PLATE.INP";
+      std::filesystem::copy_file(
+        std::string(MESH_DATA) +
+          (ending == "msh" ? "/plate_v2.msh" : "/plate.inp"),
+        folder / name,
+        std::filesystem::copy_options::overwrite_existing);
+      EXPECT_NEAR(measure_of(
+                    *make_mesh<2>("Object = file; File = " + name, folder)),
+                  4e-4,
+                  1e-16);
+    }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(File, that_is_huge_asks_about_its_scale)
+{
+  EXPECT_TRUE(has_warning(read<2>("plate_v2.msh", "Scale = 1000")->warnings,
+                          "Is Geometry/Scale = 1000 right?"));
+  EXPECT_FALSE(has_warning(read<2>("plate_v2.msh")->warnings, "right?"));
+}
+
+TEST(File, of_step_is_taken_in_metres)
+{
+  const auto folder = std::filesystem::temp_directory_path() / "springfit_step";
+  std::filesystem::create_directories(folder);
+  {
+    const GmshSession session;
+    gmsh::model::occ::addBox(0, 0, 0, 10, 20, 30); // mm
+    gmsh::model::occ::synchronize();
+    gmsh::write(folder / "box.step");
+  }
+  const auto mesh = make_mesh<3>(
+    "Object = file; File = box.step; Cells = tetrahedra; Cell size = 0.01",
+    folder);
+  EXPECT_NEAR(measure_of(*mesh), 6e-6, 1e-12);
+  std::filesystem::remove_all(folder);
 }
 
 TEST(File, that_is_bad_is_refused)
@@ -251,7 +380,7 @@ TEST(File, that_is_bad_is_refused)
   read_bad("folded.msh", {"folded", "quadrilateral"});
   read_bad("flat_cell.msh", {"triangle 2", "no area"});
   read_bad("duplicate_cell.msh", {"quadrilateral 9", "duplicate"});
-  read_bad("not_a_number.msh", {"5. vertex", "finite"});
+  read_bad("not_a_number.msh", {"line 16", "'nan'", "finite"});
   read_bad("not_plane.msh", {"not plane", "z = constant"});
   read_bad("three_cells_on_an_edge.msh", {"3 cells share"});
   read_bad("inverted_tetrahedra.msh",

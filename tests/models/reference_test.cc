@@ -127,7 +127,7 @@ TEST(Material, GivesEachMaterialIdItsConstants)
   const auto mesh = oracle::box_mesh<2>(2, 1., 0., random);
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
     cell->set_material_id(cell->active_cell_index() < 2 ? 4 : 7);
-  mesh->material_names[7] = "stiff";
+  mesh->material_names.emplace(7, "stiff");
 
   const auto material =
     oracle::make_step<Material<2>>("subsection Material\n"

@@ -39,7 +39,10 @@ namespace springfit
   join(const std::vector<std::string> &words,
        const std::string &separator = ", ");
 
-  /** The pieces of @p text between commas, blanks at both ends removed. */
+  /**
+   * The pieces of @p text between commas, blanks at both ends removed. A comma
+   * within double quotes does not separate; the quotes stay.
+   */
   std::vector<std::string>
   split_at_commas(const std::string &text);
 

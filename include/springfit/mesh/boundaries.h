@@ -12,7 +12,7 @@ namespace springfit
   struct BoundaryRow
   {
     dealii::types::boundary_id id;
-    std::string name; // empty if it has none
+    std::string name; // between commas if it has several, empty if none
     unsigned int n_faces;
     double area; // m^2, or m in 2-d
   };
@@ -27,7 +27,8 @@ namespace springfit
    *
    * @p entry names the parameter in the error.
    *
-   * @throws EntryError listing the boundaries of the mesh when one is absent.
+   * @throws EntryError listing the boundaries of the mesh when one is absent or
+   * ambiguous.
    */
   template <int dim>
   std::set<dealii::types::boundary_id>

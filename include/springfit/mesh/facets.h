@@ -16,6 +16,21 @@ namespace springfit
   const std::vector<std::vector<unsigned int>> &
   sides_of(CellKind kind);
 
+  /** A side by its cell and its place in sides_of(). */
+  struct CellSide
+  {
+    unsigned int cell;
+    unsigned int side;
+  };
+
+  /**
+   * The sides that belong to one cell only, in the order of the cells.
+   *
+   * @throws InputError when more than two cells share a side.
+   */
+  std::vector<CellSide>
+  boundary_cell_sides(const MeshDescription &mesh);
+
   /**
    * The sides that belong to one cell only, in the order of the cells, each
    * with its vertices in ascending order.

@@ -30,7 +30,7 @@ namespace springfit
    * The boundary ids of an object with an end in each direction, and their
    * names: 0 "x min", 1 "x max", 2 "y min", ...; 2 @p dim of them.
    */
-  std::map<unsigned int, std::string>
+  std::multimap<unsigned int, std::string>
   names_of_sides(int dim);
 } // namespace springfit
 

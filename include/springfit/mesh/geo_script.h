@@ -7,8 +7,9 @@ namespace springfit
 {
   /**
    * A .geo is a program, and gmsh runs it: look for commands that leave gmsh,
-   * which would start other programs or end the reading without a word. Comments and strings do not count; scripts that it includes are
-   * looked at, too, where their names are written out.
+   * which would start other programs or end the reading without a word.
+   * Comments and strings do not count; scripts that it includes are looked at,
+   * too, where their names are written out.
    *
    * @throws InputError that names the file, the line and the command.
    */

@@ -63,9 +63,10 @@ namespace springfit
     std::string object_ = "box";
     std::string cells_  = dim == 2 ? "quadrilaterals" : "hexahedra";
     std::vector<double> size_;
-    std::vector<double> cell_size_ = {default_cell_size};
-    double jitter_                 = 0.;
+    std::vector<double> cell_size_;
+    double jitter_ = 0.;
     std::string file_;
+    std::string material_array_;
     double scale_ = 1.;
   };
 } // namespace springfit

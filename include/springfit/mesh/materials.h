@@ -3,6 +3,7 @@
 
 #include <springfit/mesh/mesh.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace springfit
   struct MaterialRow
   {
     dealii::types::material_id id;
-    std::string name; // empty if it has none
+    std::string name; // between commas if it has several, empty if none
     unsigned int n_cells;
     double measure; // m^3, or m^2 in 2-d
   };
@@ -22,17 +23,18 @@ namespace springfit
   material_table(const Mesh<dim> &mesh);
 
   /**
-   * The material that a user names by its number or name.
+   * The materials that a user names by a number or name.
    *
    * @p entry names the parameter in the error.
    *
-   * @throws EntryError listing the materials of the mesh when it is absent.
+   * @throws EntryError listing the materials of the mesh when it is absent or
+   * ambiguous.
    */
   template <int dim>
-  dealii::types::material_id
-  find_material(const Mesh<dim> &mesh,
-                const std::string &id_or_name,
-                const std::string &entry);
+  std::set<dealii::types::material_id>
+  find_materials(const Mesh<dim> &mesh,
+                 const std::string &id_or_name,
+                 const std::string &entry);
 
   /**
    * The table for the screen: a headline and a line for each row, in columns

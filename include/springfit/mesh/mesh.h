@@ -27,9 +27,16 @@ namespace springfit
     CellKind cell_kind;
     dealii::Triangulation<dim> triangulation;
 
-    /** Names of boundary ids and material ids, where there are any. */
-    std::map<dealii::types::boundary_id, std::string> boundary_names;
-    std::map<dealii::types::material_id, std::string> material_names;
+    /**
+     * Names of boundary ids and material ids, where there are any: an id may
+     * have several names, and a name several ids.
+     */
+    std::multimap<dealii::types::boundary_id, std::string> boundary_names;
+    std::multimap<dealii::types::material_id, std::string> material_names;
+
+    /** Names of the file that are no boundary or no material, and why. */
+    std::map<std::string, std::string> unused_boundary_names;
+    std::map<std::string, std::string> unused_material_names;
 
     /** What a user should know about the mesh although it can be used. */
     std::vector<std::string> warnings;

@@ -52,7 +52,13 @@ namespace springfit
   std::vector<unsigned int>
   connected_parts(const MeshDescription &mesh);
 
-  /** Add a warning when there are several parts. */
+  /**
+   * Add a warning each: when there are several parts, with the places where
+   * they touch; when one part has doubled vertices (a crack); when vertices
+   * hang in sides of other cells (conformity.h). Places in m.
+   *
+   * @throws InputError when more than two cells share a side.
+   */
   void
   check_connection(MeshDescription &mesh);
 

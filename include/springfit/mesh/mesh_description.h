@@ -68,8 +68,13 @@ namespace springfit
     /** Sides on the boundary; those not listed have the id 0. */
     std::vector<BoundaryFacet> facets;
 
-    std::map<unsigned int, std::string> boundary_names;
-    std::map<unsigned int, std::string> material_names;
+    /** An id may have several names, and a name several ids. */
+    std::multimap<unsigned int, std::string> boundary_names;
+    std::multimap<unsigned int, std::string> material_names;
+
+    /** Names of the file that are no boundary or no material, and why. */
+    std::map<std::string, std::string> unused_boundary_names;
+    std::map<std::string, std::string> unused_material_names;
 
     std::vector<std::string> warnings;
 
@@ -103,7 +108,8 @@ namespace springfit
     serialize(Archive &archive, const unsigned int /*version*/)
     {
       archive &name &cell_kind &vertices &cells &material_ids &cell_numbers
-        &group_begins &facets &boundary_names &material_names &warnings;
+        &group_begins &facets &boundary_names &material_names
+          &unused_boundary_names &unused_material_names &warnings;
 
       bool has_straight_part = straight_part.has_value();
       archive &has_straight_part;

@@ -1,6 +1,8 @@
 #ifndef springfit_mesh_name_lookup_h
 #define springfit_mesh_name_lookup_h
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,14 +15,33 @@ namespace springfit
     std::string name;
   };
 
+  /** Each id with each of its names; once with "" if it has none. */
+  std::vector<IdAndName>
+  ids_and_names(const std::set<unsigned int> &ids,
+                const std::multimap<unsigned int, std::string> &names);
+
+  /** The names of @p id between commas. */
+  std::string
+  joined_names(const std::multimap<unsigned int, std::string> &names,
+               unsigned int id);
+
+  /** Names in a mesh file that are none of those looked for, and why. */
+  using UnusedNames = std::map<std::string, std::string>;
+
   /**
-   * The ids that @p word means: itself, if it is a number, or all ids of that
-   * name. @p what is "boundary" or "material", @p entry the parameter.
+   * The ids that @p word means: all ids of that name, or itself, if it is a
+   * number. The case of a name does not matter where it tells no two names
+   * apart. A word in double quotes is a name only, "id 2" the number 2. @p what
+   * is "boundary" or "material", @p entry the parameter. An id with several
+   * names is listed several times in @p known.
    *
-   * @throws EntryError that lists @p known, with the nearest name.
+   * @throws EntryError when the word is the number of one and the name of
+   * another; when it is neither, with @p known, the nearest name, and
+   * @p unused.
    */
-  std::vector<unsigned int>
+  std::set<unsigned int>
   find_ids(const std::vector<IdAndName> &known,
+           const UnusedNames &unused,
            const std::string &word,
            const std::string &what,
            const std::string &entry);

@@ -22,7 +22,10 @@ namespace springfit
     /** Extents along x, y, z in m: dim numbers. */
     std::vector<double> size;
 
-    /** Edge length in m: one number, or one for each direction. */
+    /**
+     * Edge length in m: one number, or one for each direction; empty for a
+     * file if none is given.
+     */
     std::vector<double> cell_size;
 
     /** Absolute or relative to the working directory; only for a file. */
@@ -30,6 +33,9 @@ namespace springfit
 
     /** Units of the file to m. */
     double scale;
+
+    /** The cell array of a .vtk file that holds the ids; may be empty. */
+    std::string material_array;
   };
 
 

@@ -48,6 +48,18 @@ namespace springfit
     check() const;
 
   private:
+    /**
+     * A part of the boundary is given by its boundaries or by a region, or else
+     * it is the boundary @p otherwise.
+     *
+     * @throws EntryError when both are given.
+     */
+    void
+    complete(const std::string &which,
+             const std::string &boundaries,
+             const std::string &region,
+             const std::string &otherwise);
+
     std::vector<bool>
     fixed_nodes(const Mesh<dim> &mesh) const;
 
@@ -60,8 +72,8 @@ namespace springfit
 
     std::string cases_word_;
     std::string training_word_;
-    std::string fixed_boundaries_  = "0";
-    std::string loaded_boundaries_ = "1";
+    std::string fixed_boundaries_;
+    std::string loaded_boundaries_;
     std::string fixed_region_;
     std::string loaded_region_;
     double deformation_ = 0.1;

@@ -1,0 +1,45 @@
+#ifndef springfit_mesh_file_elements_h
+#define springfit_mesh_file_elements_h
+
+#include <springfit/core/cell_kind.h>
+#include <springfit/mesh/mesh_description.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace springfit
+{
+  /** The elements of one type of a mesh file. */
+  struct FileElements
+  {
+    std::string type; // as the format calls it
+    int dim;          // 0 for a point, ..., 3 for a volume
+    unsigned int n_nodes;
+
+    /** None if springfit has no such cells (wedges, second order). */
+    std::optional<CellKind> cell_kind;
+
+    std::vector<std::size_t> numbers; // in the file, for messages
+    std::vector<unsigned int> ids;    // of the material or the boundary
+    std::vector<std::size_t> nodes;   // n_nodes each, numbered around a face
+  };
+
+  /**
+   * The mesh of the elements of dimension @p dim. Elements of dimension
+   * dim - 1 that lie on the boundary give its ids; those inside are counted in
+   * a warning, as are nodes without cells. @p points holds the nodes in the
+   * file's units, @p name becomes the mesh's.
+   *
+   * @throws InputError when there are no such cells, or of several types, or of
+   * a type that is none of CellKind.
+   */
+  MeshDescription
+  mesh_of_elements(const std::string &name,
+                   int dim,
+                   const std::vector<MeshPoint> &points,
+                   const std::vector<FileElements> &elements);
+} // namespace springfit
+
+#endif

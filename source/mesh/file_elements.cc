@@ -1,0 +1,152 @@
+#include <springfit/core/error.h>
+#include <springfit/core/words.h>
+#include <springfit/mesh/facets.h>
+#include <springfit/mesh/file_elements.h>
+#include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/vertex_order.h>
+
+#include <algorithm>
+#include <map>
+
+namespace springfit
+{
+  namespace
+  {
+    std::string
+    found_in(const std::vector<FileElements> &elements, const int dim)
+    {
+      std::vector<std::string> found;
+      for (const FileElements &of_type : elements)
+        if (of_type.dim == dim && !of_type.numbers.empty())
+          found.push_back(std::to_string(of_type.numbers.size()) +
+                          " of type '" + of_type.type + "'");
+      return join(found);
+    }
+
+    const FileElements &
+    cells_of(const std::string &name,
+             const int dim,
+             const std::vector<FileElements> &elements)
+    {
+      std::vector<const FileElements *> cells;
+      std::vector<std::string> all;
+      for (const FileElements &of_type : elements)
+        if (of_type.dim == dim && !of_type.numbers.empty())
+          cells.push_back(&of_type);
+      for (int d = 0; d <= 3; ++d)
+        if (const std::string found = found_in(elements, d); !found.empty())
+          all.push_back(found);
+
+      const bool has_solids = dim == 2 && !found_in(elements, 3).empty();
+      if (cells.empty() || has_solids)
+        throw InputError(
+          name +
+            (has_solids ? std::string(" has cells of dimension 3")
+                        : " has no cells of dimension " + std::to_string(dim)) +
+            "; it has " + (all.empty() ? "no elements at all" : join(all)) +
+            '.',
+          all.empty()
+            ? "Give a complete mesh."
+            : "Set Dimension = " +
+                std::to_string(
+                  has_solids || !found_in(elements, 3).empty() ? 3 : 2) +
+                ", or give another mesh.");
+      if (cells.size() > 1)
+        throw InputError(name + " has mixed cell types: " +
+                           found_in(elements, dim) + '.',
+                         "Mesh the object with cells of one type.");
+      if (!cells.front()->cell_kind)
+        throw InputError(name + " has cells that springfit does not know: " +
+                           found_in(elements, dim) + '.',
+                         "Use cells of first order with straight edges: " +
+                           join(words_of(cell_kind_words())) + '.');
+      return *cells.front();
+    }
+
+    /** The vertex of each node, or n_nodes if no cell has it. */
+    std::vector<std::size_t>
+    number_vertices(const FileElements &cells,
+                    const std::vector<MeshPoint> &points,
+                    MeshDescription &mesh)
+    {
+      std::vector<bool> is_used(points.size(), false);
+      for (const std::size_t node : cells.nodes)
+        is_used[node] = true;
+      std::vector<std::size_t> vertices(points.size(), points.size());
+      for (std::size_t node = 0; node < points.size(); ++node)
+        if (is_used[node])
+          {
+            vertices[node] = mesh.vertices.size();
+            mesh.vertices.push_back(points[node]);
+          }
+      if (mesh.vertices.size() < points.size())
+        mesh.warnings.push_back(
+          std::to_string(points.size() - mesh.vertices.size()) + " of the " +
+          std::to_string(points.size()) +
+          " nodes of the mesh belong to no cell and are left out; the others "
+          "are numbered from 0 in the order of their numbers there.");
+      return vertices;
+    }
+
+    void
+    add_facets(const std::vector<FileElements> &elements,
+               const int dim,
+               const std::vector<std::size_t> &vertices,
+               MeshDescription &mesh)
+    {
+      auto boundary = boundary_sides(mesh);
+      std::sort(boundary.begin(), boundary.end());
+      std::size_t n_inside = 0;
+      for (const FileElements &of_type : elements)
+        for (std::size_t e = 0;
+             of_type.dim == dim - 1 && e < of_type.numbers.size();
+             ++e)
+          {
+            std::vector<unsigned int> side;
+            for (unsigned int i = 0; i < of_type.n_nodes; ++i)
+              side.push_back(vertices[of_type.nodes[e * of_type.n_nodes + i]]);
+            std::sort(side.begin(), side.end());
+            if (std::binary_search(boundary.begin(), boundary.end(), side))
+              mesh.facets.push_back({side, of_type.ids[e]});
+            else
+              ++n_inside;
+          }
+      if (n_inside > 0)
+        mesh.warnings.push_back(
+          mesh.name + ": " + std::to_string(n_inside) +
+          (dim == 2 ? " edges" : " faces") +
+          " of the file lie inside the body or on no cell, not on the "
+          "boundary, and are left out.");
+      if (!mesh.facets.empty() && mesh.facets.size() < boundary.size())
+        mesh.warnings.push_back(
+          mesh.name + ": " +
+          std::to_string(boundary.size() - mesh.facets.size()) + " of " +
+          std::to_string(boundary.size()) + " boundary " +
+          (dim == 2 ? "edges" : "faces") +
+          " are not in the file; their boundary id is 0.");
+    }
+  } // namespace
+
+
+  MeshDescription
+  mesh_of_elements(const std::string &name,
+                   const int dim,
+                   const std::vector<MeshPoint> &points,
+                   const std::vector<FileElements> &elements)
+  {
+    const FileElements &cells = cells_of(name, dim, elements);
+    MeshDescription mesh;
+    mesh.name           = name;
+    mesh.cell_kind      = *cells.cell_kind;
+    mesh.cell_numbers   = cells.numbers;
+    mesh.material_ids   = cells.ids;
+    const auto vertices = number_vertices(cells, points, mesh);
+    const auto &order   = order_around_faces(mesh.cell_kind);
+    for (std::size_t c = 0; c < cells.numbers.size(); ++c)
+      for (const unsigned int i : order)
+        mesh.cells.push_back(vertices[cells.nodes[c * order.size() + i]]);
+    check_no_duplicate_cells(mesh); // or sides would have three
+    add_facets(elements, dim, vertices, mesh);
+    return mesh;
+  }
+} // namespace springfit

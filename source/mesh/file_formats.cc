@@ -1,0 +1,139 @@
+#include <springfit/core/error.h>
+#include <springfit/mesh/file_formats.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace springfit
+{
+  namespace
+  {
+    struct ForeignFormat
+    {
+      std::string what;
+      std::string mend;
+    };
+
+    const std::string meshio = "Convert it with meshio (Debian's package "
+                               "meshio-tools): meshio convert ";
+
+    const std::string fill_stl =
+      "Fill it: write a file mesh.geo with the lines 'Merge \"mesh.stl\"; "
+      "Surface Loop(1) = {1}; Volume(1) = {1};' and give that.";
+
+    const std::map<std::string, ForeignFormat> &
+    foreign_formats()
+    {
+      static const std::map<std::string, ForeignFormat> formats = {
+        {".vtu",
+         {"a VTK XML file",
+          meshio + "mesh.vtu mesh.vtk; or save it in ParaView as .vtk."}},
+        {".pvtu",
+         {"a VTK XML file in parts", "Save it in ParaView as one .vtk file."}},
+        {".pvd",
+         {"a series of VTK files",
+          "Save one of its files in ParaView as .vtk."}},
+        {".vtp", {"a VTK XML surface", "Give a mesh with cells inside."}},
+        {".stl", {"a surface without cells inside", fill_stl}},
+        {".off",
+         {"a surface without cells inside",
+          meshio + "mesh.off mesh.stl. " + fill_stl}},
+        {".obj",
+         {"a surface without cells inside",
+          meshio + "mesh.obj mesh.stl. " + fill_stl}},
+        {".ply",
+         {"a surface without cells inside",
+          meshio + "mesh.ply mesh.stl. " + fill_stl}},
+        {".veg",
+         {"a mesh of Vega FEM",
+          "Write its vertices and elements as a .mesh file: 'Vertices', their "
+          "count, x y z 0 each; 'Tetrahedra', their count, four vertices and "
+          "the material's number each; 'End'."}},
+        {".node",
+         {"a mesh of TetGen",
+          meshio + "mesh.node mesh.vtk (beside mesh.ele)."}},
+        {".ele",
+         {"a mesh of TetGen",
+          meshio + "mesh.ele mesh.vtk (beside mesh.node)."}},
+        {".xdmf", {"an XDMF file", meshio + "mesh.xdmf mesh.vtk."}},
+        {".e", {"an Exodus file", meshio + "mesh.e mesh.vtk."}},
+        {".exo", {"an Exodus file", meshio + "mesh.exo mesh.vtk."}},
+        {".vol", {"a mesh of Netgen", meshio + "mesh.vol mesh.vtk."}},
+        {".meshb",
+         {"a binary file of Medit", "Save it as text, with the ending .mesh."}},
+        {".gz", {"packed", "Unpack it: gunzip."}},
+        {".zip", {"packed", "Unpack it: unzip."}},
+        {".prm", {"a parameter file", "Name a mesh file."}}};
+      return formats;
+    }
+  } // namespace
+
+
+  std::string
+  ending_of(const std::filesystem::path &file)
+  {
+    std::string ending = file.extension();
+    std::transform(ending.begin(),
+                   ending.end(),
+                   ending.begin(),
+                   [](const unsigned char c) { return std::tolower(c); });
+    return ending;
+  }
+
+
+  bool
+  may_be_script(const std::filesystem::path &file)
+  {
+    static const std::set<std::string> others = {".bdf",
+                                                 ".brep",
+                                                 ".iges",
+                                                 ".igs",
+                                                 ".inp",
+                                                 ".mesh",
+                                                 ".msh",
+                                                 ".nas",
+                                                 ".step",
+                                                 ".stp",
+                                                 ".unv",
+                                                 ".vtk"};
+    return others.count(ending_of(file)) == 0;
+  }
+
+
+  bool
+  is_geometry_file(const std::filesystem::path &file)
+  {
+    const std::string ending = ending_of(file);
+    return ending == ".geo" || ending == ".brep" || states_its_unit(file);
+  }
+
+
+  bool
+  states_its_unit(const std::filesystem::path &file)
+  {
+    const std::string ending = ending_of(file);
+    return ending == ".step" || ending == ".stp" || ending == ".iges" ||
+           ending == ".igs";
+  }
+
+
+  void
+  check_format(const std::filesystem::path &file, const std::string &name)
+  {
+    const auto foreign = foreign_formats().find(ending_of(file));
+    if (foreign != foreign_formats().end())
+      throw InputError(name + " is " + foreign->second.what +
+                         ", which springfit does not read.",
+                       foreign->second.mend);
+  }
+
+
+  std::string
+  mend_format()
+  {
+    return "Mend it, or give a mesh in one of the formats .msh (1 to 4), .vtk, "
+           ".inp, .unv, .mesh, .bdf, or a geometry in .geo, .step, .brep.";
+  }
+} // namespace springfit

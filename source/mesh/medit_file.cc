@@ -1,0 +1,169 @@
+#include <springfit/mesh/file_elements.h>
+#include <springfit/mesh/medit_file.h>
+#include <springfit/mesh/text_tokens.h>
+
+#include <cctype>
+#include <map>
+#include <set>
+
+namespace springfit
+{
+  namespace
+  {
+    const std::map<std::string, FileElements> &
+    element_types()
+    {
+      static const std::map<std::string, FileElements> types = {
+        {"Edges", {"Edges", 1, 2, {}, {}, {}, {}}},
+        {"Triangles", {"Triangles", 2, 3, CellKind::triangle, {}, {}, {}}},
+        {"Quadrilaterals",
+         {"Quadrilaterals", 2, 4, CellKind::quadrilateral, {}, {}, {}}},
+        {"Tetrahedra", {"Tetrahedra", 3, 4, CellKind::tetrahedron, {}, {}, {}}},
+        {"Hexahedra", {"Hexahedra", 3, 8, CellKind::hexahedron, {}, {}, {}}},
+        {"Hexaedra", {"Hexaedra", 3, 8, CellKind::hexahedron, {}, {}, {}}},
+        {"Prisms", {"Prisms", 3, 6, {}, {}, {}, {}}},
+        {"Pentahedra", {"Pentahedra", 3, 6, {}, {}, {}, {}}},
+        {"Pyramids", {"Pyramids", 3, 5, {}, {}, {}, {}}}};
+      return types;
+    }
+
+    bool
+    is_keyword(const std::string &word)
+    {
+      return std::isalpha(static_cast<unsigned char>(word[0])) &&
+             word != "nan" && word != "inf";
+    }
+
+    class Reader
+    {
+    public:
+      explicit Reader(const std::filesystem::path &file) : tokens_(file, '#')
+      {}
+
+      void
+      read()
+      {
+        while (!tokens_.at_end())
+          {
+            const std::string word = tokens_.next("a keyword");
+            if (word == "End")
+              {
+                has_end = true;
+                return;
+              }
+            read_section(word);
+          }
+      }
+
+      std::vector<MeshPoint> points;
+      std::map<std::string, FileElements> elements;
+      std::set<std::string> ignored;
+      bool has_end = false;
+
+    private:
+      void
+      read_section(const std::string &word)
+      {
+        if (!is_keyword(word))
+          throw text_error(tokens_.place(),
+                           "'" + word.substr(0, 60) +
+                             "' stands where a keyword should",
+                           "The count before it may be too small, or a line "
+                           "too long.");
+        if (word == "MeshVersionFormatted")
+          tokens_.count("a version");
+        else if (word == "Dimension")
+          read_dimension();
+        else if (word == "Vertices")
+          read_vertices();
+        else if (element_types().count(word) > 0)
+          read_elements(word);
+        else
+          {
+            ignored.insert(word);
+            while (!tokens_.at_end() && !is_keyword(tokens_.peek()))
+              tokens_.next("");
+          }
+      }
+
+      void
+      read_dimension()
+      {
+        dim_ = tokens_.count("the dimension");
+        if (dim_ != 2 && dim_ != 3)
+          throw text_error(tokens_.place(), "the dimension is neither 2 nor 3");
+      }
+
+      void
+      read_vertices()
+      {
+        const std::size_t n = tokens_.count("the number of vertices");
+        for (std::size_t v = 0; v < n; ++v)
+          {
+            MeshPoint point{};
+            const std::string what = "vertex " + std::to_string(v + 1) +
+                                     " of the " + std::to_string(n) +
+                                     " announced";
+            for (std::size_t d = 0; d < dim_; ++d)
+              point[d] = tokens_.real(what);
+            tokens_.integer("the reference of " + what);
+            points.push_back(point);
+          }
+      }
+
+      void
+      read_elements(const std::string &word)
+      {
+        FileElements &of_type =
+          elements.emplace(word, element_types().at(word)).first->second;
+        const std::size_t n = tokens_.count("the number of " + word);
+        for (std::size_t e = 0; e < n; ++e)
+          {
+            const std::string what = "number " + std::to_string(e + 1) +
+                                     " of the " + std::to_string(n) + ' ' +
+                                     word + " announced";
+            for (unsigned int i = 0; i < of_type.n_nodes; ++i)
+              {
+                const std::size_t node = tokens_.count(what);
+                if (node < 1 || node > points.size())
+                  throw text_error(tokens_.place(),
+                                   what + " has the vertex " +
+                                     std::to_string(node) +
+                                     ", which is not there",
+                                   "Vertices are numbered from 1 and stand "
+                                   "before the cells.");
+                of_type.nodes.push_back(node - 1);
+              }
+            // Negative references mark sides of one orientation.
+            of_type.ids.push_back(
+              std::abs(tokens_.integer("the reference of " + what)));
+            of_type.numbers.push_back(of_type.numbers.size() + 1);
+          }
+      }
+
+      TextTokens tokens_;
+      std::size_t dim_ = 3;
+    };
+  } // namespace
+
+
+  MeshDescription
+  read_medit_file(const std::filesystem::path &file,
+                  const std::string &name,
+                  const int dim)
+  {
+    Reader reader(file);
+    reader.read();
+    std::vector<FileElements> elements;
+    for (const auto &[word, of_type] : reader.elements)
+      elements.push_back(of_type);
+    MeshDescription mesh = mesh_of_elements(name, dim, reader.points, elements);
+    if (!reader.has_end)
+      mesh.warnings.push_back(name + " has no 'End': it may be cut short.");
+    if (!reader.ignored.empty())
+      mesh.warnings.push_back(
+        name + ": of no meaning to springfit and passed over: " +
+        join_some({reader.ignored.begin(), reader.ignored.end()}) + '.');
+    return mesh;
+  }
+} // namespace springfit
