@@ -338,7 +338,8 @@ def read_bdf(text, content):
                 raise Malformed(f"{name} has too few fields")
             if len(fields) > n + 2 and kinds[name] in (4, 5):
                 raise Unsure(f"{name} has more nodes")
-            content.add_element(integer(fields[0]), kinds[name],
+            # Bars only name sides: two of a number lose nothing.
+            content.add_element(None if name == "CBAR" else integer(fields[0]), kinds[name],
                                 [integer(node) for node in fields[2:2 + n]])
         elif name.startswith("C"):
             content.problems.append(f"'{name}' is no element")
@@ -410,7 +411,6 @@ def read_unv(text, content):
                 head, point = take(), take()
                 if len(head) != 4 or len(point) != 3:
                     raise Malformed("a node has other fields")
-                [integer(word) for word in head]
                 content.add_node(integer(head[0]),
                                  tuple(real(x, d_exponents=True) for x in point))
             elif dataset == ["2412"]:

@@ -60,13 +60,37 @@ def _shipped_scene(name):
     return text.encode()
 
 
+def _is_slow(text):
+    """Asks for so many cells that it takes long, but not for so many that it is refused."""
+    def numbers(entry, default):
+        found = re.search(rb"set[ \t]+%s[ \t]*=([^\n#]*)" % entry, text)
+        try:
+            return [float(word) for word in found.group(1).split(b",")] if found else default
+        except ValueError:
+            return default
+    sizes, steps = numbers(b"Size", [0.02] * 3), numbers(b"Cell size", [0.0025])
+    count = 8.5
+    for d, size in enumerate(sizes):
+        step = steps[d] if d < len(steps) else steps[0]
+        count *= max(1., abs(size / step) if step else 1.)
+    return 3e4 < count < 1e9
+
+
+def _changed_scene(chance):
+    """Of a shipped scene, one that springfit refuses or runs in a moment."""
+    while True:
+        text, names = mutations.mutate(_shipped_scene(chance.choice(sorted(SHIPPED))),
+                                       mutations.PRM, chance)
+        if not _is_slow(text):
+            return text, names
+
+
 def make_case(seed, number):
     """The same for the same seed and number, whatever else runs."""
     chance = random.Random(f"springfit {seed} {number}")
     form = chance.choices(ALL_FORMATS, WEIGHTS)[0]
     if form == "prm":
-        text, names = mutations.mutate(_shipped_scene(chance.choice(sorted(SHIPPED))),
-                                       mutations.PRM, chance)
+        text, names = _changed_scene(chance)
         # Its results stay in the case's folder whatever the file says.
         return Case(number, form, {"x.prm": text,
                                    "bracket.geo": (PARAMETERS / "bracket.geo").read_bytes()},
