@@ -286,8 +286,10 @@ def _bdf_cards(text):
     cards, ended = [], False
     for line in text.splitlines():
         line = line.split("$")[0].rstrip()
-        if not line or ended:
+        if not line:
             continue
+        if ended:
+            raise Unsure("cards after ENDDATA")
         if "\t" in line:
             raise Unsure("tabs")
         if line.upper().startswith("ENDDATA"):
