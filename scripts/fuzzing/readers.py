@@ -93,20 +93,21 @@ def _n_nodes(kind):
 
 
 def _sections(text):
-    """The sections of a .msh file by name."""
+    """The sections of a .msh file by name; a word with a dollar ends one."""
     sections, name, lines = {}, None, []
     for line in text.splitlines():
-        word = line.strip()
-        if name is None and word.startswith("$"):
-            name, lines = word[1:].split()[0] if word[1:].split() else "", []
-        elif name is not None and word in ("$End" + name, "$END" + name):
+        inside, dollar, word = line.partition("$")
+        lines.append(inside)
+        if not dollar:
+            continue
+        if name is not None:
             if name in sections:
                 raise Malformed(f"section {name} twice")
             sections[name], name = "\n".join(lines), None
-        elif name is not None and word.startswith("$"):
-            raise Malformed(f"section {name} has no end")
-        else:
-            lines.append(line)
+        word = word.split()[0] if word.split() else ""
+        if not inside.strip() and not word.upper().startswith("END"):
+            name = "NOD" if word == "NOE" else word
+        lines = []
     if name is not None:
         raise Malformed(f"section {name} has no end")
     return sections
@@ -324,7 +325,7 @@ def bdf_real(text):
 
 
 def read_bdf(text, content):
-    kinds = {"CBAR": 1, "CTRIA3": 2, "CQUAD4": 3, "CTETRA": 4, "CHEXA": 5}
+    kinds = {"CTRIA3": 2, "CQUAD4": 3, "CTETRA": 4, "CHEXA": 5}
     for card in _bdf_cards(text):
         name, fields = card[0].upper(), card[1:]
         while fields and fields[-1] == "":
@@ -340,10 +341,9 @@ def read_bdf(text, content):
                 raise Malformed(f"{name} has too few fields")
             if len(fields) > n + 2 and kinds[name] in (4, 5):
                 raise Unsure(f"{name} has more nodes")
-            # Bars only name sides: two of a number lose nothing.
-            content.add_element(None if name == "CBAR" else integer(fields[0]), kinds[name],
+            content.add_element(integer(fields[0]), kinds[name],
                                 [integer(node) for node in fields[2:2 + n]])
-        elif name.startswith("C"):
+        elif name.startswith("C") and name != "CBAR":  # bars only name sides
             content.problems.append(f"'{name}' is no element")
 
 
