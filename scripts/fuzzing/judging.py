@@ -1,0 +1,157 @@
+"""Runs a case and finds what is wrong with what springfit did."""
+import base64
+import csv
+import math
+import os
+import pathlib
+import re
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import zlib
+import dataclasses
+
+import readers
+from scenes import DENSITY, THICKNESS
+
+SECONDS, LINES = 60, 8
+KINDS = ("crash", "hang", "status", "trace", "long message", "no message", "not finite",
+         "results", "mass", "silent loss", "refused")
+TRACES = re.compile(r"terminate called|[Ss]tack ?trace|\bstod\b|\bstoul?\b|bad_alloc|Assert|"
+                    r"std::|dealii|Segmentation|basic_string|vector::|map::at")
+# Warnings that good files get too.
+USUAL = re.compile(r"belong to no |has no physical groups|numbered clockwise|"
+                   r"numbered left-handedly|All ids are 0|belong to several|serve as ids")
+# One rank needs neither a network nor a daemon, which would double the time of a start.
+ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
+               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl": "self",
+               "OMPI_MCA_pml": "ob1", "OMPI_MCA_plm": "isolated",
+               "OMPI_MCA_ess_singleton_isolated": "1"}
+TYPES = {"Float32": "f", "Float64": "d"}
+
+
+@dataclasses.dataclass
+class Verdict:
+    status: int
+    seconds: float
+    output: str
+    faults: list  # kind, what
+
+
+def _run(program, case, folder):
+    """Status, None after a hang; standard output, standard error, seconds."""
+    for name, data in case.files.items():
+        (folder / name).write_bytes(data)
+    begin = time.monotonic()
+    with open(folder / "stdout.txt", "wb") as out, open(folder / "stderr.txt", "wb") as err:
+        process = subprocess.Popen([str(program), "x.prm", *case.options], cwd=folder,
+                                   stdin=subprocess.DEVNULL, stdout=out, stderr=err,
+                                   env={**os.environ, **ENVIRONMENT}, start_new_session=True)
+        try:
+            status = process.wait(SECONDS)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+            status = None
+    texts = [(folder / name).read_bytes().decode(errors="replace")
+             for name in ("stdout.txt", "stderr.txt")]
+    return status, *texts, time.monotonic() - begin
+
+
+def _arrays_of_vtu(text):
+    for kind, data in re.findall(r'<DataArray type="(Float\d\d)"[^>]*format="binary"[^>]*>(.*?)'
+                                 r"</DataArray>", text, re.DOTALL):
+        data = data.strip()
+        n_blocks = struct.unpack("<I", base64.b64decode(data[:8])[:4])[0]
+        header = 4 * ((4 * (3 + n_blocks) + 2) // 3)
+        sizes = struct.unpack(f"<{n_blocks}I", base64.b64decode(data[:header])[12:])
+        blocks, numbers = base64.b64decode(data[header:]), b""
+        for size in sizes:
+            numbers += zlib.decompress(blocks[:size])
+            blocks = blocks[size:]
+        yield struct.unpack(f"<{len(numbers) // struct.calcsize(TYPES[kind])}{TYPES[kind]}",
+                            numbers)
+
+
+def _check_results(folder):
+    faults = []
+    for path in sorted(folder.glob("*.csv")):
+        with open(path, newline="", errors="replace") as file:
+            for row in csv.reader(file):
+                for field in row:
+                    try:
+                        finite = math.isfinite(float(field))
+                    except ValueError:
+                        finite = True
+                    if not finite:
+                        return [("not finite", f"{path.name} has '{field}'")]
+    for path in sorted(folder.glob("*.vtu")):
+        try:
+            finite = all(math.isfinite(number)
+                         for numbers in _arrays_of_vtu(path.read_text()) for number in numbers)
+        except (ValueError, struct.error, zlib.error) as error:
+            faults.append(("results", f"{path.name} cannot be read: {error}"))
+            continue
+        if not finite:
+            faults.append(("not finite", f"{path.name} has a number that is not"))
+    return faults
+
+
+def _mass(folder):
+    with open(folder / "nodes.csv", newline="") as file:
+        return math.fsum(float(row["mass"]) for row in csv.DictReader(file))
+
+
+def _check_mesh(case, folder, said):
+    """Against the second reader."""
+    if case.format not in readers.READERS:
+        return []
+    volume, bound, problems = readers.read(case.format, case.files[case.mesh], case.dim)
+    warned = [line for line in said.splitlines()
+              if line.startswith("Warning: Mesh file") and not USUAL.search(line)]
+    if problems:
+        return [] if warned else [("silent loss", "; ".join(problems[:3]))]
+    if volume is None:
+        return []
+    factor = DENSITY * (THICKNESS if case.dim == 2 else 1.)
+    found, expected = _mass(folder), factor * volume
+    if abs(found - expected) <= 1e-6 * expected + 1e-12 * factor * bound:
+        return []
+    return [("mass", f"{found:.9g} kg instead of {expected:.9g}")]
+
+
+def judge(program, case, folder):
+    status, said, complained, seconds = _run(program, case, folder)
+    faults = []
+    if status is None:
+        faults.append(("hang", f"more than {SECONDS} s"))
+    elif status < 0 or status > 128:
+        faults.append(("crash", f"status {status}"))
+    elif status not in (0, 1, 2):
+        faults.append(("status", f"status {status}"))
+    trace = TRACES.search(said + complained)
+    if trace:
+        faults.append(("trace", f"'{trace.group()}' in the output"))
+    if sum(1 for line in complained.splitlines() if line.strip()) > LINES:
+        faults.append(("long message", f"{len(complained.splitlines())} lines"))
+    if status in (1, 2) and not any(line.startswith("Error: ")
+                                    for line in complained.splitlines()):
+        faults.append(("no message", f"status {status}"))
+    results = folder / "results"
+    if results.is_dir():
+        faults += _check_results(results)
+    if status == 0 and case.dim:
+        if (results / "nodes.csv").exists():
+            faults += _check_mesh(case, results, said)
+        else:
+            faults.append(("results", "no nodes.csv"))
+    if status in (1, 2) and not case.mutations:
+        faults.append(("refused", "an unchanged file"))
+    return Verdict(status, seconds, complained + said, faults)
+
+
+def judge_in_new_folder(program, case):
+    with tempfile.TemporaryDirectory(prefix="springfit_fuzz.") as folder:
+        return judge(program, case, pathlib.Path(folder))
