@@ -35,7 +35,7 @@ namespace springfit
     double scale;
 
     /** The cell array of a .vtk file that holds the ids; may be empty. */
-    std::string material_array;
+    std::string material_array = {};
   };
 
 
