@@ -2,6 +2,7 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/incomplete_error.h>
+#include <springfit/core/lone_process.h>
 #include <springfit/core/parameters.h>
 #include <springfit/core/session.h>
 #include <springfit/core/unexpected.h>
@@ -393,6 +394,7 @@ main(int argc, char *argv[])
       return static_cast<int>(Status::run_failed);
     }
 
+  prepare_for_lone_process();
   Status status;
   {
     dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);

@@ -2,14 +2,10 @@
 import base64
 import csv
 import math
-import os
 import pathlib
 import re
-import signal
 import struct
-import subprocess
 import tempfile
-import time
 import zlib
 import dataclasses
 
@@ -24,11 +20,6 @@ TRACES = re.compile(r"terminate called|[Ss]tack ?trace|\bstod\b|\bstoul?\b|bad_a
 # Warnings that good files get too.
 USUAL = re.compile(r"belong to no |has no physical groups|numbered clockwise|"
                    r"numbered left-handedly|All ids are 0|belong to several|serve as ids")
-# One rank needs neither a network nor a daemon, which would double the time of a start.
-ENVIRONMENT = {"OMP_NUM_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1",
-               "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl": "self",
-               "OMPI_MCA_pml": "ob1", "OMPI_MCA_plm": "isolated",
-               "OMPI_MCA_ess_singleton_isolated": "1"}
 TYPES = {"Float32": "f", "Float64": "d"}
 
 
@@ -40,24 +31,14 @@ class Verdict:
     faults: list  # kind, what
 
 
-def _run(program, case, folder):
+def _run(server, case, folder):
     """Status, None after a hang; standard output, standard error, seconds."""
     for name, data in case.files.items():
         (folder / name).write_bytes(data)
-    begin = time.monotonic()
-    with open(folder / "stdout.txt", "wb") as out, open(folder / "stderr.txt", "wb") as err:
-        process = subprocess.Popen([str(program), "x.prm", *case.options], cwd=folder,
-                                   stdin=subprocess.DEVNULL, stdout=out, stderr=err,
-                                   env={**os.environ, **ENVIRONMENT}, start_new_session=True)
-        try:
-            status = process.wait(SECONDS)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            status = None
+    status, seconds = server.run(folder, ["x.prm", *case.options], SECONDS)
     texts = [(folder / name).read_bytes().decode(errors="replace")
              for name in ("stdout.txt", "stderr.txt")]
-    return status, *texts, time.monotonic() - begin
+    return status, *texts, seconds
 
 
 def _arrays_of_vtu(text):
@@ -122,8 +103,8 @@ def _check_mesh(case, folder, said):
     return [("mass", f"{found:.9g} kg instead of {expected:.9g}")]
 
 
-def judge(program, case, folder):
-    status, said, complained, seconds = _run(program, case, folder)
+def judge(server, case, folder):
+    status, said, complained, seconds = _run(server, case, folder)
     faults = []
     if status is None:
         faults.append(("hang", f"more than {SECONDS} s"))
@@ -152,6 +133,6 @@ def judge(program, case, folder):
     return Verdict(status, seconds, complained + said, faults)
 
 
-def judge_in_new_folder(program, case):
+def judge_in_new_folder(server, case):
     with tempfile.TemporaryDirectory(prefix="springfit_fuzz.") as folder:
-        return judge(program, case, pathlib.Path(folder))
+        return judge(server, case, pathlib.Path(folder))

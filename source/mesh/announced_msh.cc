@@ -1,9 +1,10 @@
 #include <springfit/mesh/announced.h>
+#include <springfit/mesh/announced_msh_binary.h>
+#include <springfit/mesh/gmsh_element_types.h>
 #include <springfit/mesh/known_numbers.h>
 #include <springfit/mesh/text_tokens.h>
 
 #include <fstream>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,28 +13,6 @@ namespace springfit
 {
   namespace
   {
-    struct ElementType
-    {
-      int dim;
-      unsigned int n_nodes;
-    };
-
-    // gmsh's reference manual, section "MSH file format".
-    const std::map<std::size_t, ElementType> &
-    element_types()
-    {
-      static const std::map<std::size_t, ElementType> types = {
-        {1, {1, 2}},   {2, {2, 3}},   {3, {2, 4}},   {4, {3, 4}},
-        {5, {3, 8}},   {6, {3, 6}},   {7, {3, 5}},   {8, {1, 3}},
-        {9, {2, 6}},   {10, {2, 9}},  {11, {3, 10}}, {12, {3, 27}},
-        {13, {3, 18}}, {14, {3, 14}}, {15, {0, 1}},  {16, {2, 8}},
-        {17, {3, 20}}, {18, {3, 15}}, {19, {3, 13}}, {20, {2, 9}},
-        {21, {2, 10}}, {22, {2, 12}}, {23, {2, 15}}, {24, {2, 15}},
-        {25, {2, 21}}, {26, {1, 4}},  {27, {1, 5}},  {28, {1, 6}},
-        {29, {3, 20}}, {30, {3, 35}}, {31, {3, 56}}};
-      return types;
-    }
-
     struct Head
     {
       std::string version;
@@ -238,8 +217,8 @@ namespace springfit
             const std::string what    = which("element", i, n);
             const std::size_t element = tokens_.count(what);
             const TextPlace place     = tokens_.place();
-            const auto type = element_types().find(tokens_.count(what));
-            if (type == element_types().end())
+            const auto type = gmsh_element_types().find(tokens_.count(what));
+            if (type == gmsh_element_types().end())
               return false;
             if (version_ == "1")
               {
@@ -273,8 +252,8 @@ namespace springfit
             const std::string block = which("block", b, n_blocks);
             tokens_.integer(block);
             tokens_.integer(block);
-            const auto type = element_types().find(tokens_.count(block));
-            if (type == element_types().end())
+            const auto type = gmsh_element_types().find(tokens_.count(block));
+            if (type == gmsh_element_types().end())
               return false;
             const std::size_t size = tokens_.count(block);
             for (std::size_t k = 0; k < size; ++k, ++i)
@@ -290,7 +269,7 @@ namespace springfit
       }
 
       void
-      read_nodes_of(const std::size_t element, const ElementType &type)
+      read_nodes_of(const std::size_t element, const GmshElementType &type)
       {
         const std::string what = "element " + std::to_string(element);
         for (unsigned int i = 0; i < type.n_nodes; ++i)
@@ -314,8 +293,12 @@ namespace springfit
     const Head head                          = read_head(file);
     static const std::set<std::string> known = {
       "1", "2", "2.0", "2.1", "2.2", "4", "4.0", "4.1"};
-    if (head.is_binary || known.count(head.version) == 0)
+    if (known.count(head.version) == 0)
       return {};
+    if (head.is_binary && head.version[0] == '4' && head.version != "4.1")
+      return {}; // gmsh 4.8 refuses it
+    if (head.is_binary)
+      return announced_in_binary_msh(file, head.version);
     Reader reader(file, head.version);
     if (!reader.read())
       return {};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace springfit
@@ -90,6 +91,28 @@ namespace springfit
       return is_inside;
     }
 
+    // The empty list has the id 0.
+    void
+    give_ids(std::map<Groups, unsigned int> &ids,
+             const std::vector<BoundaryGroup> &groups)
+    {
+      std::set<unsigned int> taken = {0};
+      const auto number_of         = [&](const Groups &members) {
+        return members.size() == 1 ? groups[members.front()].number : 0;
+      };
+      for (auto &[members, id] : ids)
+        if (taken.insert(number_of(members)).second)
+          id = number_of(members);
+      unsigned int next = 1;
+      for (auto &[members, id] : ids)
+        if (id == 0 && !members.empty())
+          {
+            while (!taken.insert(next).second)
+              ++next;
+            id = next;
+          }
+    }
+
     std::string
     word_of_sides(const MeshDescription &mesh)
     {
@@ -113,13 +136,11 @@ namespace springfit
       }
     ids.emplace(Groups(), 0);
 
-    // In their order, in which the empty list is the first.
-    unsigned int next_id = 0;
+    give_ids(ids, groups);
     std::vector<bool> is_used(groups.size(), false);
     mesh.boundary_names.clear();
-    for (auto &[members, id] : ids)
+    for (const auto &[members, id] : ids)
       {
-        id = next_id++;
         for (const unsigned int g : members)
           {
             is_used[g] = true;
@@ -135,7 +156,7 @@ namespace springfit
         n_without += id == 0 ? 1 : 0;
         mesh.facets.push_back({boundary[s], id});
       }
-    if (n_without > 0 && next_id > 1)
+    if (n_without > 0 && ids.size() > 1)
       mesh.warnings.push_back(mesh.name + ": " + std::to_string(n_without) +
                               " of " + std::to_string(boundary.size()) +
                               " boundary " + word_of_sides(mesh) +

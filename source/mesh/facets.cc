@@ -1,6 +1,6 @@
 #include <springfit/core/error.h>
+#include <springfit/mesh/cell_names.h>
 #include <springfit/mesh/facets.h>
-#include <springfit/mesh/mesh_checks.h>
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,10 @@
 #include <springfit/mesh/gmsh_file.h>
 #include <springfit/mesh/medit_file.h>
 #include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/nastran_file.h>
 #include <springfit/mesh/objects.h>
 #include <springfit/mesh/sizes.h>
+#include <springfit/mesh/unv_file.h>
 #include <springfit/mesh/vtk_file.h>
 
 #include <boost/archive/binary_iarchive.hpp>
@@ -130,6 +132,14 @@ namespace springfit
       if (ending == ".mesh")
         return [](const ObjectRequest &request) {
           return read_medit_file(request.file, name_of(request), request.dim);
+        };
+      if (ending == ".unv")
+        return [](const ObjectRequest &request) {
+          return read_unv_file(request.file, name_of(request), request.dim);
+        };
+      if (ending == ".bdf" || ending == ".nas")
+        return [](const ObjectRequest &request) {
+          return read_nastran_file(request.file, name_of(request), request.dim);
         };
       if (ending == ".vtk")
         return [](const ObjectRequest &request) {

@@ -6,7 +6,8 @@
 #include <springfit/mesh/vertex_order.h>
 
 #include <algorithm>
-#include <map>
+#include <set>
+#include <utility>
 
 namespace springfit
 {
@@ -63,8 +64,9 @@ namespace springfit
       return *cells.front();
     }
 
-    /** The vertex of each node, or n_nodes if no cell has it. */
-    std::vector<std::size_t>
+    using VertexOfNode = std::vector<std::optional<unsigned int>>;
+
+    VertexOfNode
     number_vertices(const FileElements &cells,
                     const std::vector<MeshPoint> &points,
                     MeshDescription &mesh)
@@ -72,7 +74,7 @@ namespace springfit
       std::vector<bool> is_used(points.size(), false);
       for (const std::size_t node : cells.nodes)
         is_used[node] = true;
-      std::vector<std::size_t> vertices(points.size(), points.size());
+      VertexOfNode vertices(points.size());
       for (std::size_t node = 0; node < points.size(); ++node)
         if (is_used[node])
           {
@@ -87,48 +89,10 @@ namespace springfit
           "are numbered from 0 in the order of their numbers there.");
       return vertices;
     }
-
-    void
-    add_facets(const std::vector<FileElements> &elements,
-               const int dim,
-               const std::vector<std::size_t> &vertices,
-               MeshDescription &mesh)
-    {
-      auto boundary = boundary_sides(mesh);
-      std::sort(boundary.begin(), boundary.end());
-      std::size_t n_inside = 0;
-      for (const FileElements &of_type : elements)
-        for (std::size_t e = 0;
-             of_type.dim == dim - 1 && e < of_type.numbers.size();
-             ++e)
-          {
-            std::vector<unsigned int> side;
-            for (unsigned int i = 0; i < of_type.n_nodes; ++i)
-              side.push_back(vertices[of_type.nodes[e * of_type.n_nodes + i]]);
-            std::sort(side.begin(), side.end());
-            if (std::binary_search(boundary.begin(), boundary.end(), side))
-              mesh.facets.push_back({side, of_type.ids[e]});
-            else
-              ++n_inside;
-          }
-      if (n_inside > 0)
-        mesh.warnings.push_back(
-          mesh.name + ": " + std::to_string(n_inside) +
-          (dim == 2 ? " edges" : " faces") +
-          " of the file lie inside the body or on no cell, not on the "
-          "boundary, and are left out.");
-      if (!mesh.facets.empty() && mesh.facets.size() < boundary.size())
-        mesh.warnings.push_back(
-          mesh.name + ": " +
-          std::to_string(boundary.size() - mesh.facets.size()) + " of " +
-          std::to_string(boundary.size()) + " boundary " +
-          (dim == 2 ? "edges" : "faces") +
-          " are not in the file; their boundary id is 0.");
-    }
   } // namespace
 
 
-  MeshDescription
+  MeshOfElements
   mesh_of_elements(const std::string &name,
                    const int dim,
                    const std::vector<MeshPoint> &points,
@@ -144,9 +108,60 @@ namespace springfit
     const auto &order   = order_around_faces(mesh.cell_kind);
     for (std::size_t c = 0; c < cells.numbers.size(); ++c)
       for (const unsigned int i : order)
-        mesh.cells.push_back(vertices[cells.nodes[c * order.size() + i]]);
+        mesh.cells.push_back(*vertices[cells.nodes[c * order.size() + i]]);
     check_no_duplicate_cells(mesh); // or sides would have three
-    add_facets(elements, dim, vertices, mesh);
-    return mesh;
+    return {std::move(mesh), vertices};
+  }
+
+
+  void
+  label_sides(MeshOfElements &result, const std::vector<FileElements> &elements)
+  {
+    MeshDescription &mesh = result.mesh;
+    const int dim         = dimension(mesh.cell_kind);
+    auto boundary         = boundary_sides(mesh);
+    std::sort(boundary.begin(), boundary.end());
+    std::size_t n_inside = 0;
+    std::set<unsigned int> on_boundary, inside;
+    for (const FileElements &of_type : elements)
+      for (std::size_t e = 0;
+           of_type.dim == dim - 1 && e < of_type.numbers.size();
+           ++e)
+        {
+          std::vector<unsigned int> side;
+          for (unsigned int i = 0; i < of_type.n_nodes; ++i)
+            if (const auto vertex =
+                  result.vertex_of_node[of_type.nodes[e * of_type.n_nodes + i]])
+              side.push_back(*vertex);
+          std::sort(side.begin(), side.end());
+          if (side.size() == of_type.n_nodes &&
+              std::binary_search(boundary.begin(), boundary.end(), side))
+            {
+              mesh.facets.push_back({side, of_type.ids[e]});
+              on_boundary.insert(of_type.ids[e]);
+            }
+          else
+            {
+              ++n_inside;
+              inside.insert(of_type.ids[e]);
+            }
+        }
+    for (const unsigned int id : inside)
+      if (on_boundary.count(id) == 0)
+        mesh.unused_boundary_names[std::to_string(id)] =
+          "lies inside the body or on no cell";
+    if (n_inside > 0)
+      mesh.warnings.push_back(
+        mesh.name + ": " + std::to_string(n_inside) +
+        (dim == 2 ? " edges" : " faces") +
+        " of the file lie inside the body or on no cell, not on the "
+        "boundary, and are left out.");
+    if (!mesh.facets.empty() && mesh.facets.size() < boundary.size())
+      mesh.warnings.push_back(
+        mesh.name + ": " +
+        std::to_string(boundary.size() - mesh.facets.size()) + " of " +
+        std::to_string(boundary.size()) + " boundary " +
+        (dim == 2 ? "edges" : "faces") +
+        " are not in the file; their boundary id is 0.");
   }
 } // namespace springfit

@@ -164,14 +164,7 @@ namespace springfit
     std::optional<Announced>
     announced_in(const std::filesystem::path &file)
     {
-      const std::string ending = ending_of(file);
-      if (ending == ".msh")
-        return announced_in_msh(file);
-      if (ending == ".unv")
-        return announced_in_unv(file);
-      if (ending == ".bdf" || ending == ".nas")
-        return announced_in_bdf(file);
-      return {};
+      return ending_of(file) == ".msh" ? announced_in_msh(file) : std::nullopt;
     }
 
     // Cells and sides; gmsh may leave out points and lines.
@@ -257,11 +250,7 @@ namespace springfit
       read_boundaries(cells);
       MeshDescription &mesh = cells.mesh;
       if (announced)
-        {
-          count_unused_nodes(*announced, mesh);
-          for (const std::string &warning : announced->warnings)
-            mesh.warnings.push_back(name + ' ' + warning);
-        }
+        count_unused_nodes(*announced, mesh);
       if (states_its_unit(request.file) && request.scale != 1.)
         mesh.warnings.push_back(
           name + " states the unit of its lengths, which are taken in m and "

@@ -1,8 +1,9 @@
 #include <springfit/core/error.h>
+#include <springfit/mesh/cell_names.h>
+#include <springfit/mesh/cell_orientation.h>
 #include <springfit/mesh/edges.h>
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/jitter.h>
-#include <springfit/mesh/mesh_checks.h>
 #include <springfit/mesh/sizes.h>
 
 #include <algorithm>

@@ -13,8 +13,10 @@ namespace springfit
     if (!is_new)
       throw text_error(place,
                        "the " + what_ + ' ' + std::to_string(number) +
-                         " is there a second time, after line " +
-                         std::to_string(old->second),
+                         " is there a second time" +
+                         (old->second == 0
+                            ? ""
+                            : ", after line " + std::to_string(old->second)),
                        "Give each " + what_ + " a number of its own.");
   }
 

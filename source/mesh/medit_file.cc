@@ -157,13 +157,16 @@ namespace springfit
     std::vector<FileElements> elements;
     for (const auto &[word, of_type] : reader.elements)
       elements.push_back(of_type);
-    MeshDescription mesh = mesh_of_elements(name, dim, reader.points, elements);
+    MeshOfElements result =
+      mesh_of_elements(name, dim, reader.points, elements);
+    label_sides(result, elements);
+    MeshDescription &mesh = result.mesh;
     if (!reader.has_end)
       mesh.warnings.push_back(name + " has no 'End': it may be cut short.");
     if (!reader.ignored.empty())
       mesh.warnings.push_back(
         name + ": of no meaning to springfit and passed over: " +
         join_some({reader.ignored.begin(), reader.ignored.end()}) + '.');
-    return mesh;
+    return std::move(mesh);
   }
 } // namespace springfit

@@ -61,9 +61,10 @@ namespace springfit
              const std::string &what,
              const std::string &mend)
   {
-    return InputError("Mesh file '" + *place.file + "', line " +
-                        std::to_string(place.line) +
-                        ", cannot be read: " + what + ".",
+    const std::string line =
+      place.line == 0 ? "" : ", line " + std::to_string(place.line) + ',';
+    return InputError("Mesh file '" + *place.file + "'" + line +
+                        " cannot be read: " + what + ".",
                       mend);
   }
 

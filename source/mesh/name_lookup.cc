@@ -101,8 +101,7 @@ namespace springfit
     {
       for (const auto &[other, reason] : unused)
         if (in_capitals(other) == in_capitals(name))
-          return "the name '" + other + "' is in the file, but it " + reason +
-                 '.';
+          return '\'' + other + "' is in the file, but it " + reason + '.';
       return "";
     }
 

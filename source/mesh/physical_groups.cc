@@ -176,6 +176,68 @@ namespace springfit
         }
     }
 
+    std::string
+    name_of_group(const int dim, const int tag)
+    {
+      std::string name;
+      gmsh::model::getPhysicalName(dim, tag, name);
+      return name.empty() ? std::to_string(std::abs(tag)) : name;
+    }
+
+    // @p rest are the sides that are not on the boundary, @p found the ids that
+    // are.
+    void
+    note_sides_elsewhere(const IdOfSide &rest,
+                         const std::set<unsigned int> &found,
+                         MeshDescription &mesh)
+    {
+      const int dim = dimension(mesh.cell_kind) - 1;
+      std::map<unsigned int, std::size_t> n_elsewhere;
+      for (const auto &[side, id] : rest)
+        ++n_elsewhere[id];
+      gmsh::vectorpair groups;
+      gmsh::model::getPhysicalGroups(groups, dim);
+      for (const auto &[group_dim, tag] : groups)
+        {
+          const unsigned int id   = std::abs(tag);
+          const std::string name  = name_of_group(dim, tag);
+          const bool is_elsewhere = n_elsewhere.count(id) > 0;
+          if (found.count(id) == 0)
+            mesh.unused_boundary_names[name] =
+              is_elsewhere ? "lies inside the body or on no cell"
+                           : "holds no side of a cell";
+          else if (is_elsewhere)
+            mesh.warnings.push_back(
+              mesh.name + ": " + std::to_string(n_elsewhere.at(id)) +
+              (dim == 1 ? " edges" : " faces") + " of '" + name +
+              "' lie inside the body or on no cell, not on the boundary, and "
+              "are left out.");
+        }
+    }
+
+    void
+    note_other_groups(MeshDescription &mesh)
+    {
+      const int dim = dimension(mesh.cell_kind);
+      gmsh::vectorpair groups;
+      gmsh::model::getPhysicalGroups(groups);
+      for (const auto &[group_dim, tag] : groups)
+        {
+          std::string name;
+          gmsh::model::getPhysicalName(group_dim, tag, name);
+          if (name.empty())
+            continue;
+          if (group_dim == dim)
+            mesh.unused_boundary_names.emplace(name, "is a group of cells");
+          else
+            mesh.unused_material_names.emplace(name, "is no group of cells");
+          if (group_dim < dim - 1)
+            mesh.unused_boundary_names.emplace(name,
+                                               "is of dimension " +
+                                                 std::to_string(group_dim));
+        }
+    }
+
     // gmsh gives a reversed group the negative of its number.
     std::multimap<unsigned int, std::string>
     names_of_ids(const int dim, const std::set<unsigned int> &ids)
@@ -256,13 +318,19 @@ namespace springfit
       {
         const auto known = id_of_side.find(side);
         const auto id    = known == id_of_side.end() ? 0 : known->second;
+        if (known != id_of_side.end())
+          id_of_side.erase(known);
         found.insert(id);
         n_without += id == 0 ? 1 : 0;
         mesh.facets.push_back({std::move(side), id});
       }
 
     if (ids.are_physical)
-      mesh.boundary_names = names_of_ids(dim, found);
+      {
+        mesh.boundary_names = names_of_ids(dim, found);
+        note_sides_elsewhere(id_of_side, found, mesh);
+      }
+    note_other_groups(mesh);
     if (n_ambiguous > 0)
       mesh.warnings.push_back(mesh.name + ": " + std::to_string(n_ambiguous) +
                               " sides belong to several physical " +

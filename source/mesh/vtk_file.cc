@@ -377,17 +377,17 @@ namespace springfit
                        name + " has no cell array '" + id_array + "'.",
                        names.empty() ? "Leave it empty: there are none."
                                      : "There are: " + join_some(names) + '.');
-    MeshDescription mesh =
-      mesh_of_elements(name,
-                       dim,
-                       reader.points,
-                       reader.elements(id_array.empty() ? std::vector<double>()
-                                                        : array->second));
+    const auto elements =
+      reader.elements(id_array.empty() ? std::vector<double>() : array->second);
+    MeshOfElements result =
+      mesh_of_elements(name, dim, reader.points, elements);
+    label_sides(result, elements);
+    MeshDescription &mesh = result.mesh;
     if (id_array.empty() && !names.empty())
       mesh.warnings.push_back(
         name + " has the cell arrays " + join_some(names) +
         ": if one tells materials and boundaries apart, name it by "
         "Geometry/Material ids. All ids are 0.");
-    return mesh;
+    return std::move(mesh);
   }
 } // namespace springfit

@@ -1,5 +1,7 @@
 // The checks, the sides and the look-up of names: plain numbers.
 
+#include <springfit/mesh/cell_orientation.h>
+#include <springfit/mesh/connection.h>
 #include <springfit/mesh/facets.h>
 #include <springfit/mesh/mesh_checks.h>
 #include <springfit/mesh/name_lookup.h>

@@ -1,6 +1,7 @@
 // Doubled and hanging vertices: cracks, half-refined cells, and no alarm where
 // there is nothing.
 
+#include <springfit/mesh/cell_orientation.h>
 #include <springfit/mesh/conformity.h>
 #include <springfit/mesh/jitter.h>
 #include <springfit/mesh/mesh_checks.h>
@@ -424,6 +425,41 @@ TEST(Conformity, cells_may_be_very_thin)
         vertex[1] *= 1e-8;
       expect_conforming(builder.mesh);
     }
+}
+
+// Two pairs of tetrahedra, above and below a square or warped quadrilateral.
+TEST(Conformity, different_diagonals_are_told)
+{
+  for (const double warp : {0., 0.1})
+    for (const bool is_crossed : {false, true})
+      {
+        const MeshPoint a{{0., 0., warp}}, b{{1., 0., 0.}}, c{{1., 1., warp}},
+          d{{0., 1., 0.}}, top{{0.5, 0.5, 1.}}, bottom{{0.5, 0.5, -1.}};
+        Builder builder(CellKind::tetrahedron);
+        builder.add_cell({a, b, c, top});
+        builder.add_cell({a, c, d, top});
+        if (is_crossed)
+          {
+            builder.add_cell({a, b, d, bottom});
+            builder.add_cell({b, c, d, bottom});
+          }
+        else
+          {
+            builder.add_cell({a, b, c, bottom});
+            builder.add_cell({a, c, d, bottom});
+          }
+        check_mesh(builder.mesh);
+        bool is_told = false;
+        for (const std::string &warning : builder.mesh.warnings)
+          is_told = is_told || warning.find("1 quadrilateral between cells") !=
+                                 std::string::npos;
+        EXPECT_EQ(is_told, is_crossed);
+      }
+  Builder alone(CellKind::tetrahedron);
+  alone.add_cell(
+    {{{0., 0., 0.}}, {{1., 0., 0.}}, {{0., 1., 0.}}, {{0., 0., 1.}}});
+  check_mesh(alone.mesh);
+  EXPECT_TRUE(alone.mesh.warnings.empty());
 }
 
 TEST(Conformity, hanging_vertices_are_told_in_one_line)

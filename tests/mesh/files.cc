@@ -8,6 +8,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "messages.h"
 #include "scene.h"
@@ -252,6 +254,12 @@ TEST(File, of_abaqus_has_its_instances_where_they_are_placed)
   EXPECT_TRUE(has_warning(mesh->warnings, "1 of type SPRING1"));
 }
 
+TEST(File, of_abaqus_says_which_nodes_lack_coordinates)
+{
+  EXPECT_TRUE(has_warning(read<2>("short_nodes.inp")->warnings,
+                          "1 nodes have fewer coordinates"));
+}
+
 TEST(File, of_medit_may_have_its_counts_in_the_line_of_the_keyword)
 {
   const auto mesh = read<3>("counts_in_line.mesh");
@@ -264,6 +272,145 @@ TEST(File, of_medit_may_have_its_counts_in_the_line_of_the_keyword)
 TEST(File, of_nastran_may_mark_its_continuations)
 {
   EXPECT_NEAR(measure_of(*read<3>("marked_continuation.bdf")), 0.015, 1e-12);
+}
+
+// Small, large and free fields, blanks for 0, what is no part of the mesh, and
+// cards behind the end, which Nastran does not read.
+TEST(File, of_nastran_is_read_up_to_its_end)
+{
+  const auto mesh = read<3>("everyday.bdf");
+  EXPECT_NEAR(measure_of(*mesh), 0.015, 1e-12);
+  EXPECT_EQ(mesh->triangulation.n_active_cells(), 1u);
+  EXPECT_EQ(material_table(*mesh)[0].id, 3u);
+  EXPECT_EQ(find_boundaries(*mesh, {"9"}, "E"), Ids{9});
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 CBAR, 1 CONM2"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "MAT1, PSOLID"));
+}
+
+TEST(File, of_universal_format_has_groups_of_nodes_sides_and_cells)
+{
+  const auto mesh = read<3>("groups.unv");
+  EXPECT_NEAR(measure_of(*mesh), 1. / 6. + 1. / 3., 1e-15);
+  const auto table = boundary_table(*mesh);
+  EXPECT_EQ(find_boundaries(*mesh, {"base"}, "E"), Ids{7});
+  EXPECT_EQ(find_boundaries(*mesh, {"some nodes"}, "E"), Ids{2});
+  EXPECT_EQ(find_materials(*mesh, "soft", "E"), Ids{4});
+  EXPECT_EQ(find_materials(*mesh, "stiff", "E"), Ids{5});
+  for (const auto &row : table)
+    EXPECT_NEAR(row.area, row.id == 0 ? 0.5 + 1.5 * std::sqrt(3.) : 0.5, 1e-14);
+  expect_error([&]() { find_boundaries(*mesh, {"interface"}, "E"); },
+               {"'interface'", "lies inside the body"});
+  expect_error([&]() { find_boundaries(*mesh, {"soft"}, "E"); },
+               {"'soft'", "group of cells"});
+  expect_error([&]() { find_boundaries(*mesh, {"corner"}, "E"); },
+               {"'corner'", "no whole face"});
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 of the 6 nodes"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "1 of type 136"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "'corner' (1)"));
+  read_bad("other_system.unv", {"line 18", "coordinate system 1"});
+  read_bad("short_group.unv", {"'some nodes'", "4 announced"});
+}
+
+namespace
+{
+  std::string
+  bytes_of(const std::filesystem::path &file)
+  {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+} // namespace
+
+namespace
+{
+  std::string
+  binary_square(const double version, const std::filesystem::path &folder)
+  {
+    const GmshSession session;
+    gmsh::model::occ::addRectangle(0, 0, 0, 1, 1);
+    gmsh::model::occ::synchronize();
+    set_gmsh_cell_size(0.5);
+    mesh_gmsh_model("test", 2);
+    gmsh::option::setNumber("Mesh.MshFileVersion", version);
+    gmsh::option::setNumber("Mesh.Binary", 1);
+    gmsh::write(folder / "whole.msh");
+    return bytes_of(folder / "whole.msh");
+  }
+} // namespace
+
+// gmsh 4.8 reads such files without a word.
+TEST(File, of_gmsh_in_binary_is_counted)
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() / "springfit_binary_msh";
+  std::filesystem::create_directories(folder);
+  for (const double version : {2.2, 4.1})
+    {
+      SCOPED_TRACE(version);
+      const std::string whole = binary_square(version, folder);
+      const auto read_bytes   = [&](const std::string &bytes) {
+        std::ofstream(folder / "changed.msh", std::ios::binary) << bytes;
+        return make_mesh<2>("Object = file; File = changed.msh", folder);
+      };
+      EXPECT_NEAR(measure_of(*read_bytes(whole)), 1., 1e-12);
+      const auto elements = whole.find("$Elements");
+      expect_error([&]() { read_bytes(whole.substr(0, elements + 60)); },
+                   {"changed.msh", "the file ends before"});
+
+      const std::size_t end  = whole.find("\n$EndElements");
+      const std::size_t size = version == 4.1 ? 8 : 4; // of a number
+      std::string elsewhere  = whole;
+      elsewhere.replace(end - size, 2, "\x7f\x7f");
+      expect_error([&]() { read_bytes(elsewhere); },
+                   {"changed.msh", "which is not there"});
+      if (version == 2.2) // where gmsh writes blocks of one
+        continue;
+      // The last triangle gets the number of the one before.
+      const std::size_t n = 4 * size;
+      std::string doubled = whole;
+      doubled.replace(end - n, size, whole.substr(end - 2 * n, size));
+      expect_error([&]() { read_bytes(doubled); },
+                   {"changed.msh", "a second time"});
+    }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(File, of_gmsh_says_which_groups_are_inside)
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() / "springfit_inner_group";
+  std::filesystem::create_directories(folder);
+  {
+    const GmshSession session;
+    gmsh::model::occ::addBox(0, 0, 0, 1, 1, 1);
+    gmsh::model::occ::addBox(1, 0, 0, 1, 1, 1);
+    gmsh::vectorpair out;
+    std::vector<gmsh::vectorpair> map;
+    gmsh::model::occ::fragment({{3, 1}}, {{3, 2}}, out, map);
+    gmsh::model::occ::synchronize();
+    gmsh::vectorpair between;
+    gmsh::model::getEntitiesInBoundingBox(0.9, -1, -1, 1.1, 2, 2, between, 2);
+    ASSERT_EQ(between.size(), 1u);
+    set_gmsh_cell_size(1.);
+    gmsh::model::setPhysicalName(
+      2, gmsh::model::addPhysicalGroup(2, {between[0].second}), "between");
+    gmsh::model::setPhysicalName(2,
+                                 gmsh::model::addPhysicalGroup(2, {1}),
+                                 "outside");
+    gmsh::model::setPhysicalName(3,
+                                 gmsh::model::addPhysicalGroup(3, {1, 2}),
+                                 "flesh");
+    mesh_gmsh_model("test", 3);
+    gmsh::write(folder / "two.msh");
+  }
+  const auto mesh = make_mesh<3>("Object = file; File = two.msh", folder);
+  expect_error([&]() { find_boundaries(*mesh, {"between"}, "E"); },
+               {"'between'", "lies inside the body", "'outside'"});
+  expect_error([&]() { find_boundaries(*mesh, {"flesh"}, "E"); },
+               {"'flesh'", "group of cells"});
+  expect_error([&]() { find_materials(*mesh, "outside", "E"); },
+               {"'outside'", "no group of cells"});
+  std::filesystem::remove_all(folder);
 }
 
 TEST(File, of_vtk_may_be_new_and_its_arrays_name_materials)

@@ -2,8 +2,8 @@
 
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/build_mesh.h>
+#include <springfit/mesh/cell_orientation.h>
 #include <springfit/mesh/materials.h>
-#include <springfit/mesh/mesh_checks.h>
 
 #include <deal.II/grid/tria.h>
 

@@ -17,11 +17,15 @@ namespace springfit
     std::string name;
     std::vector<std::vector<unsigned int>> sides; // each in ascending order
     std::vector<unsigned int> vertices;
+
+    /** The id of the sides that belong to no other group; 0 for any. */
+    unsigned int number = 0;
   };
 
   /**
    * Replace the facets of @p mesh and the names of its boundaries by what the
-   * groups say. Sides of the same groups have the same id, from 1; those of
+   * groups say. Sides of the same groups have the same id: the group's number,
+   * if they are of one and it has one, else the next free one from 1; those of
    * none have 0. Where groups overlap, an id has several names. Groups without
    * a side on the boundary become unused names, with the reason; a warning
    * counts sides that are inside the body, and one those of no group.

@@ -26,20 +26,37 @@ namespace springfit
     std::vector<std::size_t> nodes;   // n_nodes each, numbered around a face
   };
 
+  /** A mesh and what became of the nodes of its file. */
+  struct MeshOfElements
+  {
+    MeshDescription mesh;
+
+    /** None if no cell has the node. */
+    std::vector<std::optional<unsigned int>> vertex_of_node;
+  };
+
   /**
-   * The mesh of the elements of dimension @p dim. Elements of dimension
-   * dim - 1 that lie on the boundary give its ids; those inside are counted in
-   * a warning, as are nodes without cells. @p points holds the nodes in the
-   * file's units, @p name becomes the mesh's.
+   * The mesh of the elements of dimension @p dim, without ids of boundaries.
+   * Nodes without cells are counted in a warning. @p points holds the nodes in
+   * the file's units, @p name becomes the mesh's.
    *
    * @throws InputError when there are no such cells, or of several types, or of
    * a type that is none of CellKind.
    */
-  MeshDescription
+  MeshOfElements
   mesh_of_elements(const std::string &name,
                    int dim,
                    const std::vector<MeshPoint> &points,
                    const std::vector<FileElements> &elements);
+
+  /**
+   * Give the sides of the boundary the ids of the elements that lie on them;
+   * @p elements are those of mesh_of_elements. Those inside the body are
+   * counted in a warning, and so are sides without an element.
+   */
+  void
+  label_sides(MeshOfElements &result,
+              const std::vector<FileElements> &elements);
 } // namespace springfit
 
 #endif

@@ -11,7 +11,8 @@
 
 namespace springfit
 {
-  /** Where something stands: a line, counted from 1, of a file. */
+  /** Where something stands: a line, counted from 1, of a file; 0 in a binary
+   * one. */
   struct TextPlace
   {
     std::shared_ptr<const std::string> file;
