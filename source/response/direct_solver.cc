@@ -28,7 +28,8 @@ namespace springfit
         catch (const dealii::ExceptionBase &)
           {
             throw RunError(
-              "the stiffness matrix is singular, it cannot be factored.");
+              "the stiffness matrix cannot be factored: it is singular, or the "
+              "memory does not suffice.");
           }
       }
 
