@@ -1,6 +1,8 @@
 #include <springfit/mesh/unv_data.h>
 
+#include <charconv>
 #include <set>
+#include <system_error>
 
 namespace springfit
 {
@@ -35,10 +37,12 @@ namespace springfit
     long
     read_integer(const std::string &text, const TextPlace &place)
     {
-      const double value = read_real(text, place);
-      if (value != static_cast<long>(value))
-        throw text_error(place, "'" + text + "' is no integer");
-      return static_cast<long>(value);
+      long value            = 0;
+      const char *const end = text.data() + text.size();
+      const auto result     = std::from_chars(text.data(), end, value);
+      if (result.ec != std::errc() || result.ptr != end)
+        throw text_error(place, "'" + text.substr(0, 60) + "' is no integer");
+      return value;
     }
 
     class Reader
@@ -97,6 +101,7 @@ namespace springfit
           "2417", "2429", "2430", "2432", "2435", "2452", "2467", "2477"};
         const bool has_nodes    = number == "2411" || number == "781";
         const bool has_elements = number == "2412" || number == "780";
+        const bool has_bins     = number == "780";
         const bool has_systems  = number == "2420";
         const bool has_groups   = of_groups.count(number) > 0;
         if (has_systems && !ends())
@@ -108,7 +113,7 @@ namespace springfit
           if (has_nodes)
             read_node();
           else if (has_elements)
-            read_element();
+            read_element(has_bins);
           else if (has_systems)
             read_system();
           else if (has_groups)
@@ -147,9 +152,12 @@ namespace springfit
       {
         const TextLine &head = line("a node");
         const auto words     = split_at_blanks(head.text);
-        if (words.empty())
-          throw text_error(head.place, "an empty line where a node should be");
-        if (words.size() > 1 && other_systems_.count(words[1]) > 0)
+        if (words.size() != 4)
+          throw text_error(head.place,
+                           "a node needs four numbers in its first line");
+        for (const std::string &word : words)
+          read_integer(word, head.place);
+        if (other_systems_.count(words[1]) > 0)
           throw text_error(head.place,
                            "the node " + words[0] +
                              " is given in the coordinate system " + words[1] +
@@ -170,22 +178,28 @@ namespace springfit
           {read_label(words[0], head.place), point, head.place});
       }
 
+      // A number, a type, those of the property and the material, each behind
+      // that of its bin in older files, a colour, and how many nodes there are.
       void
-      read_element()
+      read_element(const bool has_bins)
       {
         const TextLine &head = line("an element");
         const auto words     = split_at_blanks(head.text);
-        if (words.size() < 6)
+        if (words.size() != (has_bins ? 8 : 6))
           throw text_error(head.place,
-                           "an element needs six numbers in its first line");
+                           std::string("an element needs ") +
+                             (has_bins ? "eight" : "six") +
+                             " numbers in its first line");
+        for (const std::string &word : words)
+          read_integer(word, head.place);
         UnvElement element;
-        element.place             = head.place;
-        element.number            = read_label(words[0], head.place);
-        element.type              = read_label(words[1], head.place);
-        element.dim               = dim_of(element.type);
-        element.property          = read_integer(words[2], head.place);
-        element.material          = read_integer(words[3], head.place);
-        const std::size_t n_nodes = read_label(words[5], head.place);
+        element.place    = head.place;
+        element.number   = read_label(words[0], head.place);
+        element.type     = read_label(words[1], head.place);
+        element.dim      = dim_of(element.type);
+        element.property = read_integer(words[has_bins ? 3 : 2], head.place);
+        element.material = read_integer(words[has_bins ? 5 : 3], head.place);
+        const std::size_t n_nodes = read_label(words.back(), head.place);
         const std::string which   = "element " + words[0];
 
         const bool is_beam = element.type >= 21 && element.type <= 24;
@@ -208,8 +222,8 @@ namespace springfit
           }
         if (n_corners(element.type) > 0 && n_corners(element.type) != n_nodes)
           throw text_error(head.place,
-                           which + " of type " + words[1] + " has " + words[5] +
-                             " nodes instead of " +
+                           which + " of type " + words[1] + " has " +
+                             words.back() + " nodes instead of " +
                              std::to_string(n_corners(element.type)));
         if (element.dim == 0)
           ++data.n_shapeless[element.type];
