@@ -4,6 +4,8 @@
 #include <springfit/mesh/gmsh_file.h>
 #include <springfit/mesh/gmsh_model.h>
 #include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/mesh_text.h>
+#include <springfit/mesh/msh_names.h>
 #include <springfit/mesh/physical_groups.h>
 #include <springfit/mesh/sizes.h>
 
@@ -11,7 +13,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <new>
 #include <optional>
 #include <string>
@@ -202,6 +206,42 @@ namespace springfit
         "are numbered from 0 in the order of their numbers there.");
     }
 
+    bool
+    is_known(const std::string &name,
+             const std::multimap<unsigned int, std::string> &names,
+             const std::map<std::string, std::string> &unused)
+    {
+      return unused.count(name) > 0 ||
+             std::any_of(names.begin(), names.end(), [&](const auto &other) {
+               return other.second == name;
+             });
+    }
+
+    // gmsh forgets the names of groups that have no elements.
+    void
+    note_empty_groups(const ObjectRequest &request, MeshDescription &mesh)
+    {
+      std::vector<std::string> empty;
+      for (const auto &[dim, name] : names_in_msh(request.file))
+        {
+          const bool is_of_cells = dim == request.dim;
+          if (!is_of_cells && dim != request.dim - 1)
+            continue;
+          auto &unused = is_of_cells ? mesh.unused_material_names
+                                     : mesh.unused_boundary_names;
+          if (is_known(name,
+                       is_of_cells ? mesh.material_names : mesh.boundary_names,
+                       unused))
+            continue;
+          unused[name] = "holds no elements";
+          empty.push_back('\'' + name + '\'');
+        }
+      if (!empty.empty())
+        mesh.warnings.push_back(
+          mesh.name +
+          " names groups that hold no elements: " + join_some(empty) + '.');
+    }
+
     // gmsh knows some endings in small letters only.
     void
     open(const std::filesystem::path &file, const int dim)
@@ -251,6 +291,8 @@ namespace springfit
       MeshDescription &mesh = cells.mesh;
       if (announced)
         count_unused_nodes(*announced, mesh);
+      if (ending_of(request.file) == ".msh")
+        note_empty_groups(request, mesh);
       if (states_its_unit(request.file) && request.scale != 1.)
         mesh.warnings.push_back(
           name + " states the unit of its lengths, which are taken in m and "

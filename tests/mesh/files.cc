@@ -413,6 +413,15 @@ TEST(File, of_gmsh_says_which_groups_are_inside)
   std::filesystem::remove_all(folder);
 }
 
+TEST(File, of_gmsh_says_which_groups_are_empty)
+{
+  const auto mesh = read<2>("empty_group.msh");
+  EXPECT_TRUE(has_warning(mesh->warnings, "hold no elements: 'no where'"));
+  expect_error([&]() { find_boundaries(*mesh, {"no where"}, "E"); },
+               {"'no where'", "holds no elements"});
+  EXPECT_EQ(find_boundaries(*mesh, {"left"}, "E"), Ids{1});
+}
+
 TEST(File, of_vtk_may_be_new_and_its_arrays_name_materials)
 {
   const auto mesh = read<2>("version_5.vtk", "Material ids = tissue");
