@@ -1,0 +1,83 @@
+#ifndef springfit_motion_moving_body_h
+#define springfit_motion_moving_body_h
+
+#include <springfit/motion/stable_step.h>
+#include <springfit/response/elastic_body.h>
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <vector>
+
+namespace springfit
+{
+  /** Where a body is and how it moves; dim x n_nodes each. */
+  struct MotionState
+  {
+    double time = 0.;             // s
+    Eigen::MatrixXd displacement; // m
+    Eigen::MatrixXd velocity;     // m/s
+    Eigen::MatrixXd acceleration; // m/s^2; of generalised alpha only
+  };
+
+
+  /**
+   * A body that obeys M a + C v + grad U(x) = loads where it is not held. C is
+   * Rayleigh's damping with the tangent stiffness at the beginning of a step,
+   * so that a body which turns as a whole is not damped by its stiffness.
+   */
+  struct MovingBody
+  {
+    const ElasticBody *elastic; // never null, outlives this
+
+    Eigen::VectorXd mass; // of each node, kg, positive
+    RayleighDamping damping;
+
+    /** A flag per unknown, dim * v + d: it follows @p support. */
+    std::vector<bool> held;
+
+    /** Adds the forces on the nodes, N, to @p forces; may be empty. */
+    std::function<void(const MotionState &state, Eigen::MatrixXd &forces)>
+      loads;
+
+    /**
+     * Sets the displacements of held unknowns, m, at a time; may be empty: they
+     * stay where they are. Others that it sets are of no account.
+     */
+    std::function<void(double time, Eigen::MatrixXd &displacement)> support;
+
+    /** Forces whose norm is less are rounding errors, N. */
+    double rounding = 0.;
+  };
+
+  // In J.
+
+  double
+  kinetic_energy(const MovingBody &body, const MotionState &state);
+
+  /** Of the springs or cells alone, without loads. */
+  double
+  elastic_energy(const MovingBody &body, const MotionState &state);
+
+  /** kg m/s */
+  Eigen::VectorXd
+  momentum(const MovingBody &body, const MotionState &state);
+
+  /** loads - grad U, N; dim x n_nodes. */
+  Eigen::MatrixXd
+  driving_forces(const MovingBody &body, const MotionState &state);
+
+  /** Set what is held in @p values to those of @p others. */
+  void
+  copy_held(const MovingBody &body,
+            const Eigen::MatrixXd &others,
+            Eigen::MatrixXd &values);
+
+  /** Where held unknowns are at a time, others as @p displacement has them. */
+  Eigen::MatrixXd
+  with_supports(const MovingBody &body,
+                double time,
+                const Eigen::MatrixXd &displacement);
+} // namespace springfit
+
+#endif

@@ -1,0 +1,270 @@
+#include <springfit/core/error.h>
+#include <springfit/motion/integrators.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace springfit
+{
+  namespace
+  {
+    Eigen::MatrixXd
+    times_mass(const MovingBody &body, const Eigen::MatrixXd &motion)
+    {
+      return motion * body.mass.asDiagonal();
+    }
+
+    double
+    norm_of_free(const MovingBody &body, const Eigen::MatrixXd &forces)
+    {
+      double square = 0.;
+      for (std::size_t i = 0; i < body.held.size(); ++i)
+        if (!body.held[i])
+          square += forces.reshaped()[i] * forces.reshaped()[i];
+      return std::sqrt(square);
+    }
+
+    // C v with K as the system has it.
+    Eigen::MatrixXd
+    damping_forces(const MovingBody &body,
+                   const StepSystem &system,
+                   const Eigen::MatrixXd &velocity)
+    {
+      Eigen::MatrixXd forces =
+        body.damping.mass_factor * times_mass(body, velocity);
+      if (body.damping.stiffness_factor != 0.)
+        forces +=
+          body.damping.stiffness_factor * system.stiffness_product(velocity);
+      return forces;
+    }
+
+    [[noreturn]] void
+    refuse_step(const double time, const std::string &what)
+    {
+      throw RunError("The step to t = " + std::to_string(time) + " s " + what +
+                       '.',
+                     "Choose a smaller step.");
+    }
+
+    /** The equations of a step for an unknown motion y. */
+    struct StepEquations
+    {
+      /** The state that y stands for, at which forces and K are taken. */
+      std::function<MotionState(const Eigen::MatrixXd &y)> state;
+
+      /** What of the forces there y leaves over, with K of the system. */
+      std::function<Eigen::MatrixXd(const Eigen::MatrixXd &y,
+                                    const MotionState &state,
+                                    const Eigen::MatrixXd &driving)>
+        left_over;
+
+      // Of the derivative of what is left over by y.
+      double mass_factor, stiffness_factor;
+    };
+
+    // The derivative of K in the damping is left out of Newton's matrix: the
+    // forces left over are exact.
+    void
+    solve_by_newton(const MovingBody &body,
+                    StepSystem &system,
+                    const StepEquations &equations,
+                    const NewtonLimits &limits,
+                    const double end_time,
+                    Eigen::MatrixXd &y)
+    {
+      double reference = 0.;
+      for (unsigned int i = 0;; ++i)
+        {
+          const MotionState state = equations.state(y);
+          system.linearise(state.displacement);
+          const Eigen::MatrixXd driving = driving_forces(body, state);
+          const Eigen::MatrixXd rest = equations.left_over(y, state, driving);
+          const double size          = norm_of_free(body, rest);
+          if (!std::isfinite(size))
+            refuse_step(end_time, "leads to forces that are not finite");
+          reference = std::max({reference, norm_of_free(body, driving), size});
+          if (size <= limits.tolerance * reference || size <= body.rounding)
+            return;
+          if (i == limits.n_iterations)
+            refuse_step(end_time,
+                        "did not converge in " + std::to_string(i) +
+                          " iterations of Newton's method");
+          y += system.solve(equations.mass_factor,
+                            equations.stiffness_factor,
+                            rest);
+        }
+    }
+  } // namespace
+
+
+  void
+  symplectic_euler_step(const MovingBody &body,
+                        StepSystem &system,
+                        const double step,
+                        MotionState &state)
+  {
+    Eigen::MatrixXd forces = driving_forces(body, state);
+    if (body.damping.stiffness_factor != 0.)
+      system.linearise(state.displacement);
+    forces -= damping_forces(body, system, state.velocity);
+    const Eigen::MatrixXd there =
+      with_supports(body, state.time + step, state.displacement);
+    state.velocity += step * forces * body.mass.cwiseInverse().asDiagonal();
+    copy_held(body, (there - state.displacement) / step, state.velocity);
+    state.displacement += step * state.velocity;
+    copy_held(body, there, state.displacement);
+    state.time += step;
+  }
+
+
+  void
+  implicit_euler_step(const MovingBody &body,
+                      StepSystem &system,
+                      const NewtonLimits &limits,
+                      const double step,
+                      MotionState &state)
+  {
+    const double end               = state.time + step;
+    const RayleighDamping &damping = body.damping;
+    const double mass_factor       = 1. + step * damping.mass_factor;
+    const double stiffness_factor  = step * (step + damping.stiffness_factor);
+    const Eigen::MatrixXd there = with_supports(body, end, state.displacement);
+    const Eigen::MatrixXd impulse = times_mass(body, state.velocity);
+
+    // From x_0 on, so that one linearisation does not see the supports jump.
+    MotionState begin = state;
+    begin.time        = end;
+    system.linearise(state.displacement);
+    Eigen::MatrixXd y = Eigen::MatrixXd::Zero(there.rows(), there.cols());
+    copy_held(body, (there - state.displacement) / step, y);
+    Eigen::MatrixXd forces = step * driving_forces(body, begin) + impulse;
+    if (!body.held.empty())
+      forces -= stiffness_factor * system.stiffness_product(y);
+    y += system.solve(mass_factor, stiffness_factor, forces);
+
+    if (limits.n_iterations > 1)
+      {
+        StepEquations equations;
+        equations.mass_factor      = mass_factor;
+        equations.stiffness_factor = stiffness_factor;
+        equations.state            = [&](const Eigen::MatrixXd &velocity) {
+          MotionState next  = begin;
+          next.velocity     = velocity;
+          next.displacement = state.displacement + step * velocity;
+          return next;
+        };
+        equations.left_over = [&](const Eigen::MatrixXd &velocity,
+                                  const MotionState &,
+                                  const Eigen::MatrixXd &driving) {
+          return Eigen::MatrixXd(
+            step * (driving - damping_forces(body, system, velocity)) +
+            impulse - times_mass(body, velocity));
+        };
+        solve_by_newton(body, system, equations, limits, end, y);
+      }
+    if (!y.allFinite())
+      refuse_step(end, "leads to velocities that are not finite");
+    state.velocity = y;
+    state.displacement += step * y;
+    copy_held(body, there, state.displacement);
+    state.time = end;
+  }
+
+
+  GeneralisedAlpha
+  generalised_alpha(const double rho)
+  {
+    GeneralisedAlpha method;
+    method.alpha_m = (2. * rho - 1.) / (rho + 1.);
+    method.alpha_f = rho / (rho + 1.);
+    method.gamma   = 0.5 - method.alpha_m + method.alpha_f;
+    method.beta    = 0.25 * std::pow(1. - method.alpha_m + method.alpha_f, 2);
+    return method;
+  }
+
+
+  GeneralisedAlpha
+  newmark(const double beta, const double gamma)
+  {
+    return {0., 0., beta, gamma};
+  }
+
+
+  void
+  set_acceleration(const MovingBody &body,
+                   StepSystem &system,
+                   MotionState &state)
+  {
+    system.linearise(state.displacement);
+    state.acceleration = (driving_forces(body, state) -
+                          damping_forces(body, system, state.velocity)) *
+                         body.mass.cwiseInverse().asDiagonal();
+    copy_held(body,
+              Eigen::MatrixXd::Zero(state.displacement.rows(),
+                                    state.displacement.cols()),
+              state.acceleration);
+  }
+
+
+  void
+  generalised_alpha_step(const MovingBody &body,
+                         StepSystem &system,
+                         const GeneralisedAlpha &method,
+                         const NewtonLimits &limits,
+                         const double step,
+                         MotionState &state)
+  {
+    const auto [alpha_m, alpha_f, beta, gamma] = method;
+    const double end                           = state.time + step;
+    const Eigen::MatrixXd there = with_supports(body, end, state.displacement);
+
+    const auto end_of = [&](const Eigen::MatrixXd &acceleration) {
+      MotionState next;
+      next.time         = end;
+      next.acceleration = acceleration;
+      next.velocity =
+        state.velocity +
+        step * ((1. - gamma) * state.acceleration + gamma * acceleration);
+      next.displacement =
+        state.displacement + step * state.velocity +
+        step * step * ((0.5 - beta) * state.acceleration + beta * acceleration);
+      copy_held(body, there, next.displacement);
+      copy_held(body, (there - state.displacement) / step, next.velocity);
+      copy_held(body,
+                (next.velocity - state.velocity) / step,
+                next.acceleration);
+      return next;
+    };
+
+    StepEquations equations;
+    equations.mass_factor =
+      1. - alpha_m + (1. - alpha_f) * gamma * step * body.damping.mass_factor;
+    equations.stiffness_factor =
+      (1. - alpha_f) * step *
+      (gamma * body.damping.stiffness_factor + beta * step);
+    equations.state = [&](const Eigen::MatrixXd &acceleration) {
+      const MotionState next = end_of(acceleration);
+      MotionState between;
+      between.time = end - alpha_f * step;
+      between.displacement =
+        (1. - alpha_f) * next.displacement + alpha_f * state.displacement;
+      between.velocity =
+        (1. - alpha_f) * next.velocity + alpha_f * state.velocity;
+      between.acceleration =
+        (1. - alpha_m) * next.acceleration + alpha_m * state.acceleration;
+      return between;
+    };
+    equations.left_over = [&](const Eigen::MatrixXd &,
+                              const MotionState &between,
+                              const Eigen::MatrixXd &driving) {
+      return Eigen::MatrixXd(driving -
+                             damping_forces(body, system, between.velocity) -
+                             times_mass(body, between.acceleration));
+    };
+    Eigen::MatrixXd acceleration = state.acceleration;
+    solve_by_newton(body, system, equations, limits, end, acceleration);
+    state = end_of(acceleration);
+  }
+} // namespace springfit
