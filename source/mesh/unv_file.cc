@@ -143,12 +143,21 @@ namespace springfit
       {
         std::vector<std::size_t> group_of_cell(mesh_.n_cells(), none);
         std::size_t n_overlaps = 0;
+        std::vector<std::string> overlaps;
         for (std::size_t g = 0; g < materials_.size(); ++g)
           for (const unsigned int cell : materials_[g].second)
             if (group_of_cell[cell] == none)
               group_of_cell[cell] = g;
-            else
-              n_overlaps += group_of_cell[cell] == g ? 0 : 1;
+            else if (group_of_cell[cell] != g)
+              {
+                ++n_overlaps;
+                const std::string both = '\'' +
+                                         names_of_cells_[group_of_cell[cell]] +
+                                         "' and '" + names_of_cells_[g] + '\'';
+                if (std::find(overlaps.begin(), overlaps.end(), both) ==
+                    overlaps.end())
+                  overlaps.push_back(both);
+              }
 
         const auto ids = ids_of_materials();
         const std::set<std::size_t> used(group_of_cell.begin(),
@@ -165,8 +174,8 @@ namespace springfit
             group_of_cell[cell] == none ? 0 : ids[group_of_cell[cell]];
 
         if (n_overlaps > 0)
-          warn(std::to_string(n_overlaps) +
-               " cells belong to several groups; the first one counts.");
+          warn(std::to_string(n_overlaps) + " cells belong to two groups, " +
+               join_some(overlaps) + "; the first one counts.");
         const auto n_without =
           std::count(group_of_cell.begin(), group_of_cell.end(), none);
         if (n_without > 0)
