@@ -1,0 +1,234 @@
+#include <springfit/motion/multigrid.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace springfit
+{
+  namespace
+  {
+    using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+    // Below this many a dense inverse is cheap.
+    constexpr Eigen::Index coarsest = 300;
+
+    // Of sqrt(a_ii a_jj): what is weaker joins nothing (Vanek, Mandel and
+    // Brezina 1996, section 5, on the finest level).
+    constexpr double strength = 0.04;
+
+    Sparse
+    strong_part(const Sparse &A, const Eigen::VectorXd &diagonal)
+    {
+      Sparse strong = A;
+      strong.prune([&](const Eigen::Index i, const Eigen::Index j, double a) {
+        return i == j ||
+               std::abs(a) > strength * std::sqrt(diagonal[i] * diagonal[j]);
+      });
+      return strong;
+    }
+
+    /** The aggregate of each node, and how many there are. */
+    Eigen::Index
+    aggregate(const Sparse &strong, std::vector<Eigen::Index> &aggregate_of)
+    {
+      constexpr Eigen::Index none = -1;
+      const Eigen::Index n        = strong.rows();
+      aggregate_of.assign(n, none);
+      Eigen::Index n_aggregates = 0;
+      // Whole neighbourhoods first,
+      for (Eigen::Index i = 0; i < n; ++i)
+        {
+          bool is_free = true;
+          for (Sparse::InnerIterator entry(strong, i); entry; ++entry)
+            is_free = is_free && aggregate_of[entry.col()] == none;
+          if (!is_free)
+            continue;
+          for (Sparse::InnerIterator entry(strong, i); entry; ++entry)
+            aggregate_of[entry.col()] = n_aggregates;
+          ++n_aggregates;
+        }
+      // then what is left joins the strongest of them.
+      const std::vector<Eigen::Index> whole = aggregate_of;
+      for (Eigen::Index i = 0; i < n; ++i)
+        if (aggregate_of[i] == none)
+          {
+            double largest = -1.;
+            for (Sparse::InnerIterator entry(strong, i); entry; ++entry)
+              if (whole[entry.col()] != none &&
+                  std::abs(entry.value()) > largest)
+                {
+                  largest         = std::abs(entry.value());
+                  aggregate_of[i] = whole[entry.col()];
+                }
+            if (aggregate_of[i] == none)
+              aggregate_of[i] = n_aggregates++;
+          }
+      return n_aggregates;
+    }
+
+    /** An estimate of the largest eigenvalue of D^-1 A, from above in effect.
+     */
+    double
+    largest_eigenvalue(const Sparse &A, const Eigen::VectorXd &diagonal)
+    {
+      // Gershgorin's circles bound it.
+      double largest = 0.;
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        {
+          double sum = 0.;
+          for (Sparse::InnerIterator entry(A, i); entry; ++entry)
+            sum += std::abs(entry.value());
+          largest = std::max(largest, sum / diagonal[i]);
+        }
+      return largest;
+    }
+
+    /** Constants on aggregates, smoothed by a step of Jacobi's method. */
+    Sparse
+    prolongation_of(const Sparse &A)
+    {
+      const Eigen::VectorXd diagonal = A.diagonal();
+      std::vector<Eigen::Index> aggregate_of;
+      const Eigen::Index n_coarse =
+        aggregate(strong_part(A, diagonal), aggregate_of);
+      Sparse tentative(A.rows(), n_coarse);
+      tentative.reserve(Eigen::VectorXi::Ones(A.rows()));
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        tentative.insert(i, aggregate_of[i]) = 1.;
+      const double omega = 4. / (3. * largest_eigenvalue(A, diagonal));
+      Sparse smoothed    = A * tentative;
+      for (Eigen::Index i = 0; i < smoothed.rows(); ++i)
+        for (Sparse::InnerIterator entry(smoothed, i); entry; ++entry)
+          entry.valueRef() *= omega / diagonal[i];
+      return tentative - smoothed;
+    }
+  } // namespace
+
+
+  Multigrid::Multigrid(const Eigen::SparseMatrix<double> &matrix)
+  {
+    Sparse A = matrix;
+    while (true)
+      {
+        Level level;
+        const Eigen::VectorXd diagonal = A.diagonal();
+        if (!(diagonal.minCoeff() > 0.))
+          throw std::logic_error("the diagonal is not positive");
+        level.matrix           = A.cast<float>();
+        level.inverse_diagonal = diagonal.cwiseInverse().cast<float>();
+        level.x = level.b = level.r = Vectors::Zero(4, A.rows());
+        if (A.rows() <= coarsest)
+          {
+            levels_.push_back(std::move(level));
+            break;
+          }
+        const Sparse P = prolongation_of(A);
+        if (P.cols() >= A.rows())
+          {
+            levels_.push_back(std::move(level)); // nothing is connected
+            break;
+          }
+        level.prolongation = P.cast<float>();
+        level.restriction  = Matrix(level.prolongation.transpose());
+        levels_.push_back(std::move(level));
+        A = Sparse(P.transpose()) * Sparse(A * P);
+      }
+    if (A.rows() <= coarsest)
+      coarse_inverse_ = Eigen::LLT<Eigen::MatrixXd>(Eigen::MatrixXd(A))
+                          .solve(Eigen::MatrixXd::Identity(A.rows(), A.rows()))
+                          .cast<float>();
+  }
+
+
+  void
+  Multigrid::apply(const Eigen::MatrixXd &forces, Eigen::MatrixXd &result)
+  {
+    Level &finest                   = levels_.front();
+    finest.b.topRows(forces.rows()) = forces.cast<float>();
+    cycle(0);
+    result = finest.x.topRows(forces.rows()).cast<double>();
+  }
+
+
+  std::vector<Eigen::Index>
+  Multigrid::sizes() const
+  {
+    std::vector<Eigen::Index> sizes;
+    for (const Level &level : levels_)
+      sizes.push_back(level.matrix.rows());
+    return sizes;
+  }
+
+
+  double
+  Multigrid::operator_complexity() const
+  {
+    double sum = 0.;
+    for (const Level &level : levels_)
+      sum += level.matrix.nonZeros();
+    return sum / levels_.front().matrix.nonZeros();
+  }
+
+
+  void
+  Multigrid::cycle(const std::size_t l)
+  {
+    Level &level = levels_[l];
+    if (l + 1 == levels_.size())
+      {
+        if (coarse_inverse_.size() > 0)
+          level.x.noalias() = level.b * coarse_inverse_;
+        else
+          level.x = level.b * level.inverse_diagonal.asDiagonal();
+        return;
+      }
+
+    const Matrix &A      = level.matrix;
+    const Eigen::Index n = A.rows();
+    const float *values  = A.valuePtr();
+    const int *columns   = A.innerIndexPtr();
+    const int *rows      = A.outerIndexPtr();
+    using Node           = Eigen::Vector4f;
+    const auto relax     = [&](const Eigen::Index i, const int end) {
+      Node rest = level.b.col(i);
+      for (int k = rows[i]; k < end; ++k)
+        rest -= values[k] * level.x.col(columns[k]);
+      return rest;
+    };
+
+    // Forwards from zero: what is behind the diagonal does not count yet.
+    for (Eigen::Index i = 0; i < n; ++i)
+      {
+        Node rest = level.b.col(i);
+        for (int k = rows[i]; k < rows[i + 1] && columns[k] < i; ++k)
+          rest -= values[k] * level.x.col(columns[k]);
+        level.x.col(i) = level.inverse_diagonal[i] * rest;
+      }
+    for (Eigen::Index i = 0; i < n; ++i)
+      level.r.col(i) = relax(i, rows[i + 1]);
+
+    Level &next     = levels_[l + 1];
+    const Matrix &R = level.restriction;
+    for (Eigen::Index i = 0; i < R.rows(); ++i)
+      {
+        Node sum = Node::Zero();
+        for (Matrix::InnerIterator entry(R, i); entry; ++entry)
+          sum += entry.value() * level.r.col(entry.col());
+        next.b.col(i) = sum;
+      }
+    cycle(l + 1);
+    const Matrix &P = level.prolongation;
+    for (Eigen::Index i = 0; i < n; ++i)
+      {
+        Node sum = level.x.col(i);
+        for (Matrix::InnerIterator entry(P, i); entry; ++entry)
+          sum += entry.value() * next.x.col(entry.col());
+        level.x.col(i) = sum;
+      }
+    for (Eigen::Index i = n - 1; i >= 0; --i)
+      level.x.col(i) += level.inverse_diagonal[i] * relax(i, rows[i + 1]);
+  }
+} // namespace springfit
