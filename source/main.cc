@@ -9,6 +9,7 @@
 #include <springfit/core/unexpected.h>
 #include <springfit/core/version.h>
 #include <springfit/core/words.h>
+#include <springfit/fit/methods.h>
 #include <springfit/output/result_names.h>
 #include <springfit/studies/study.h>
 
@@ -23,6 +24,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -142,6 +144,16 @@ namespace
       session.log("--set \"" + text + "\"");
   }
 
+  /** How names of files call the models that studies run. */
+  std::vector<std::string>
+  names_of_models()
+  {
+    std::vector<std::string> names = {"fem"};
+    for (const auto &[method, word] : method_words())
+      names.push_back(name_of(*method));
+    return names;
+  }
+
   template <int dim>
   void
   run(const CommandLine &command_line)
@@ -187,7 +199,11 @@ namespace
         return;
       }
 
-    Session session(communicator, top_level.output_directory, is_result);
+    Session session(communicator,
+                    top_level.output_directory,
+                    [models = names_of_models()](const std::string &name) {
+                      return is_result(name, models);
+                    });
     try
       {
         write_record(command_line.source, session);

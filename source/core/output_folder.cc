@@ -168,7 +168,7 @@ namespace springfit
   OutputFolder::~OutputFolder()
   {
     std::error_code ignored;
-    if (!draft_.empty())
+    if (!is_published_ && !draft_.empty())
       fs::remove_all(draft_, ignored);
   }
 
@@ -176,6 +176,12 @@ namespace springfit
   OutputFolder::draft() const
   {
     return draft_;
+  }
+
+  bool
+  OutputFolder::is_published() const
+  {
+    return is_published_;
   }
 
   bool
@@ -356,6 +362,7 @@ namespace springfit
                          named_.string() + "': " + error.code().message() + '.',
                        "Choose another 'Output directory'.");
       }
-    draft_.clear();
+    draft_        = folder_;
+    is_published_ = true;
   }
 } // namespace springfit

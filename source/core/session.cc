@@ -81,6 +81,14 @@ namespace springfit
     return folder_->draft();
   }
 
+  bool
+  Session::is_published() const
+  {
+    return dealii::Utilities::MPI::logical_or(folder_ &&
+                                                folder_->is_published(),
+                                              communicator_);
+  }
+
   void
   Session::print(const std::string &text)
   {
@@ -116,6 +124,15 @@ namespace springfit
   }
 
   void
+  Session::publish()
+  {
+    run_on_root(communicator_, [&]() {
+      check_log();
+      folder_->publish();
+    });
+  }
+
+  void
   Session::finish()
   {
     dealii::Utilities::System::MemoryStats memory;
@@ -133,7 +150,8 @@ namespace springfit
       log(last_line_);
     run_on_root(communicator_, [&]() {
       check_log();
-      folder_->publish();
+      if (!folder_->is_published())
+        folder_->publish();
       if (!last_line_.empty())
         std::cout << '\n' << last_line_ << std::endl;
     });
@@ -161,10 +179,9 @@ namespace springfit
          (at = text.find(draft_name_, at)) != std::string::npos;
          at += name.size())
       text.replace(at, draft_name_.size(), name);
-    if (folder_->draft().empty())
-      return text;
-
     log("The run ended with an error. " + text);
+    if (folder_->is_published())
+      return text;
     try
       {
         if (folder_->holds_results())

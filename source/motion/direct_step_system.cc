@@ -10,26 +10,89 @@ namespace springfit
     {
       NodePattern pattern(body.mass.size());
       body.elastic->add_to_pattern(pattern);
+      add_to_pattern(body.dampers, pattern);
       for (unsigned int v = 0; v < body.mass.size(); ++v)
         pattern.add_clique(&v, 1);
+      for (int c = 0; c < body.consistent_mass.outerSize(); ++c)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(
+               body.consistent_mass, c);
+             entry;
+             ++entry)
+          {
+            const unsigned int pair[] = {static_cast<unsigned int>(entry.row()),
+                                         static_cast<unsigned int>(c)};
+            pattern.add_clique(pair, 2);
+          }
       return pattern;
+    }
+
+    /** The masses of all components, n_unknowns x n_unknowns. */
+    template <int dim>
+    void
+    add_mass(const MovingBody &body, TangentMatrix &matrix)
+    {
+      using Block = Eigen::Matrix<double, dim, dim>;
+      if (body.consistent_mass.nonZeros() == 0)
+        for (unsigned int v = 0; v < body.mass.size(); ++v)
+          matrix.add(v, v, (body.mass[v] * Block::Identity()).eval());
+      for (int c = 0; c < body.consistent_mass.outerSize(); ++c)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(
+               body.consistent_mass, c);
+             entry;
+             ++entry)
+          matrix.add(entry.row(),
+                     c,
+                     (entry.value() * Block::Identity()).eval());
+    }
+
+    template <int dim>
+    void
+    add_node_blocks(const Eigen::MatrixXd &blocks, TangentMatrix &matrix)
+    {
+      for (Eigen::Index v = 0; v < blocks.cols() / dim; ++v)
+        matrix.add(v, v, blocks.block<dim, dim>(0, dim * v).eval());
     }
   } // namespace
 
 
   DirectStepSystem::DirectStepSystem(const int dim, const MovingBody &body)
-    : dim_(dim), body_(body), tangent_(dim, pattern_of(body))
+    : dim_(dim)
+    , body_(body)
+    , tangent_(dim, pattern_of(body))
+    , mass_(tangent_)
+    , load_stiffness_(tangent_)
+    , dampers_(tangent_)
   {
+    if (dim == 2)
+      add_mass<2>(body, mass_);
+    else
+      add_mass<3>(body, mass_);
     factors_.analyzePattern(tangent_.matrix());
   }
 
 
   void
-  DirectStepSystem::linearise(const Eigen::MatrixXd &displacement)
+  DirectStepSystem::linearise(const MotionState &state)
   {
+    are_factorised_ = false;
     tangent_.set_zero();
-    body_.elastic->add_tangent(displacement, tangent_);
-    mass_factor_ = stiffness_factor_ = 0.;
+    body_.elastic->add_tangent(state.displacement, tangent_);
+    if (body_.load_stiffness)
+      {
+        const Eigen::Index n   = body_.mass.size();
+        Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(dim_, dim_ * n);
+        body_.load_stiffness(state, blocks);
+        load_stiffness_.set_zero();
+        if (dim_ == 2)
+          add_node_blocks<2>(blocks, load_stiffness_);
+        else
+          add_node_blocks<3>(blocks, load_stiffness_);
+      }
+    if (are_there(body_.dampers))
+      {
+        dampers_.set_zero();
+        add_damper_matrix(body_.dampers, state.displacement, dampers_);
+      }
   }
 
 
@@ -41,34 +104,40 @@ namespace springfit
   }
 
 
+  void
+  DirectStepSystem::factorise(const StepFactors &factors)
+  {
+    Eigen::SparseMatrix<double> matrix =
+      factors.mass * mass_.matrix() + factors.stiffness * tangent_.matrix();
+    if (body_.load_stiffness)
+      matrix += factors.load_stiffness * load_stiffness_.matrix();
+    if (are_there(body_.dampers))
+      matrix += factors.dampers * dampers_.matrix();
+    // Held unknowns keep their row and column, of a one.
+    for (int column = 0; column < matrix.outerSize(); ++column)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column);
+           entry;
+           ++entry)
+        if (body_.held[entry.row()] || body_.held[entry.col()])
+          entry.valueRef() = entry.row() == entry.col() ? 1. : 0.;
+    factors_.factorize(matrix);
+    if (factors_.info() != Eigen::Success)
+      throw RunError("The matrix of a step is singular.",
+                     "Choose a smaller step.");
+    are_factorised_ = true;
+    of_factors_     = factors;
+  }
+
+
   Eigen::MatrixXd
-  DirectStepSystem::solve(const double mass_factor,
-                          const double stiffness_factor,
+  DirectStepSystem::solve(const StepFactors &factors,
                           const Eigen::MatrixXd &forces)
   {
-    if (mass_factor != mass_factor_ || stiffness_factor != stiffness_factor_)
-      {
-        // Held unknowns keep their row and column, of a one.
-        Eigen::SparseMatrix<double> matrix =
-          stiffness_factor * tangent_.matrix();
-        for (int column = 0; column < matrix.outerSize(); ++column)
-          for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column);
-               entry;
-               ++entry)
-            {
-              const bool is_diagonal = entry.row() == entry.col();
-              if (body_.held[entry.row()] || body_.held[entry.col()])
-                entry.valueRef() = is_diagonal ? 1. : 0.;
-              else if (is_diagonal)
-                entry.valueRef() += mass_factor * body_.mass[column / dim_];
-            }
-        factors_.factorize(matrix);
-        if (factors_.info() != Eigen::Success)
-          throw RunError("The matrix of a step is singular.",
-                         "Choose a smaller step.");
-        mass_factor_      = mass_factor;
-        stiffness_factor_ = stiffness_factor;
-      }
+    if (!are_factorised_ || factors.mass != of_factors_.mass ||
+        factors.stiffness != of_factors_.stiffness ||
+        factors.load_stiffness != of_factors_.load_stiffness ||
+        factors.dampers != of_factors_.dampers)
+      factorise(factors);
     Eigen::VectorXd right_hand_side = forces.reshaped();
     for (Eigen::Index i = 0; i < right_hand_side.size(); ++i)
       if (body_.held[i])

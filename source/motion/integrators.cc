@@ -10,12 +10,6 @@ namespace springfit
 {
   namespace
   {
-    Eigen::MatrixXd
-    times_mass(const MovingBody &body, const Eigen::MatrixXd &motion)
-    {
-      return motion * body.mass.asDiagonal();
-    }
-
     double
     norm_of_free(const MovingBody &body, const Eigen::MatrixXd &forces)
     {
@@ -26,18 +20,43 @@ namespace springfit
       return std::sqrt(square);
     }
 
-    // C v with K as the system has it.
+    /** C v at a state's displacement, with K as the system has it. */
     Eigen::MatrixXd
-    damping_forces(const MovingBody &body,
-                   const StepSystem &system,
-                   const Eigen::MatrixXd &velocity)
+    damping_of_step(const MovingBody &body,
+                    const StepSystem &system,
+                    const MotionState &state)
     {
       Eigen::MatrixXd forces =
-        body.damping.mass_factor * times_mass(body, velocity);
+        body.damping.mass_factor * mass_product(body, state.velocity);
       if (body.damping.stiffness_factor != 0.)
+        forces += body.damping.stiffness_factor *
+                  system.stiffness_product(state.velocity);
+      if (are_there(body.dampers))
         forces +=
-          body.damping.stiffness_factor * system.stiffness_product(velocity);
+          damper_product(body.dampers, state.displacement, state.velocity);
       return forces;
+    }
+
+    /** Where forces are not finite, or else largest, and not held. */
+    Eigen::Index
+    node_of_largest(const MovingBody &body, const Eigen::MatrixXd &forces)
+    {
+      const Eigen::Index dim = forces.rows();
+      Eigen::Index largest   = 0;
+      double size            = -1.;
+      for (Eigen::Index i = 0; i < forces.size(); ++i)
+        if (!body.held[i])
+          {
+            const double here = std::abs(forces.reshaped()[i]);
+            if (!std::isfinite(here))
+              return i / dim;
+            if (here > size)
+              {
+                size    = here;
+                largest = i / dim;
+              }
+          }
+      return largest;
     }
 
     [[noreturn]] void
@@ -60,8 +79,8 @@ namespace springfit
                                     const Eigen::MatrixXd &driving)>
         left_over;
 
-      // Of the derivative of what is left over by y.
-      double mass_factor, stiffness_factor;
+      /** Of the derivative of what is left over by y. */
+      StepFactors factors;
     };
 
     // The derivative of K in the damping is left out of Newton's matrix: the
@@ -78,22 +97,24 @@ namespace springfit
       for (unsigned int i = 0;; ++i)
         {
           const MotionState state = equations.state(y);
-          system.linearise(state.displacement);
+          system.linearise(state);
           const Eigen::MatrixXd driving = driving_forces(body, state);
           const Eigen::MatrixXd rest = equations.left_over(y, state, driving);
           const double size          = norm_of_free(body, rest);
           if (!std::isfinite(size))
-            refuse_step(end_time, "leads to forces that are not finite");
+            refuse_step(end_time,
+                        "leads to forces that are not finite, at node " +
+                          std::to_string(node_of_largest(body, rest)));
           reference = std::max({reference, norm_of_free(body, driving), size});
           if (size <= limits.tolerance * reference || size <= body.rounding)
             return;
           if (i == limits.n_iterations)
             refuse_step(end_time,
                         "did not converge in " + std::to_string(i) +
-                          " iterations of Newton's method");
-          y += system.solve(equations.mass_factor,
-                            equations.stiffness_factor,
-                            rest);
+                          " iterations of Newton's method: the forces left "
+                          "over are largest at node " +
+                          std::to_string(node_of_largest(body, rest)));
+          y += system.solve(equations.factors, rest);
         }
     }
   } // namespace
@@ -107,8 +128,8 @@ namespace springfit
   {
     Eigen::MatrixXd forces = driving_forces(body, state);
     if (body.damping.stiffness_factor != 0.)
-      system.linearise(state.displacement);
-    forces -= damping_forces(body, system, state.velocity);
+      system.linearise(state);
+    forces -= damping_of_step(body, system, state);
     const Eigen::MatrixXd there =
       with_supports(body, state.time + step, state.displacement);
     state.velocity += step * forces * body.mass.cwiseInverse().asDiagonal();
@@ -128,39 +149,46 @@ namespace springfit
   {
     const double end               = state.time + step;
     const RayleighDamping &damping = body.damping;
-    const double mass_factor       = 1. + step * damping.mass_factor;
-    const double stiffness_factor  = step * (step + damping.stiffness_factor);
+    const StepFactors factors      = {1. + step * damping.mass_factor,
+                                      step * (step + damping.stiffness_factor),
+                                      step * step,
+                                      step};
     const Eigen::MatrixXd there = with_supports(body, end, state.displacement);
-    const Eigen::MatrixXd impulse = times_mass(body, state.velocity);
+    const Eigen::MatrixXd impulse = mass_product(body, state.velocity);
 
     // From x_0 on, so that one linearisation does not see the supports jump.
     MotionState begin = state;
     begin.time        = end;
-    system.linearise(state.displacement);
+    system.linearise(begin);
     Eigen::MatrixXd y = Eigen::MatrixXd::Zero(there.rows(), there.cols());
     copy_held(body, (there - state.displacement) / step, y);
     Eigen::MatrixXd forces = step * driving_forces(body, begin) + impulse;
-    if (!body.held.empty())
-      forces -= stiffness_factor * system.stiffness_product(y);
-    y += system.solve(mass_factor, stiffness_factor, forces);
+    if (!y.isZero(0.)) // the supports move
+      {
+        forces -= factors.stiffness * system.stiffness_product(y) +
+                  factors.mass * mass_product(body, y);
+        if (are_there(body.dampers))
+          forces -= factors.dampers *
+                    damper_product(body.dampers, state.displacement, y);
+      }
+    y += system.solve(factors, forces);
 
     if (limits.n_iterations > 1)
       {
         StepEquations equations;
-        equations.mass_factor      = mass_factor;
-        equations.stiffness_factor = stiffness_factor;
-        equations.state            = [&](const Eigen::MatrixXd &velocity) {
+        equations.factors = factors;
+        equations.state   = [&](const Eigen::MatrixXd &velocity) {
           MotionState next  = begin;
           next.velocity     = velocity;
           next.displacement = state.displacement + step * velocity;
           return next;
         };
         equations.left_over = [&](const Eigen::MatrixXd &velocity,
-                                  const MotionState &,
+                                  const MotionState &next,
                                   const Eigen::MatrixXd &driving) {
           return Eigen::MatrixXd(
-            step * (driving - damping_forces(body, system, velocity)) +
-            impulse - times_mass(body, velocity));
+            step * (driving - damping_of_step(body, system, next)) + impulse -
+            mass_product(body, velocity));
         };
         solve_by_newton(body, system, equations, limits, end, y);
       }
@@ -197,14 +225,14 @@ namespace springfit
                    StepSystem &system,
                    MotionState &state)
   {
-    system.linearise(state.displacement);
-    state.acceleration = (driving_forces(body, state) -
-                          damping_forces(body, system, state.velocity)) *
-                         body.mass.cwiseInverse().asDiagonal();
-    copy_held(body,
-              Eigen::MatrixXd::Zero(state.displacement.rows(),
-                                    state.displacement.cols()),
-              state.acceleration);
+    system.linearise(state);
+    Eigen::MatrixXd of_held = Eigen::MatrixXd::Zero(state.displacement.rows(),
+                                                    state.displacement.cols());
+    copy_held(body, state.acceleration, of_held);
+    const Eigen::MatrixXd forces = driving_forces(body, state) -
+                                   damping_of_step(body, system, state) -
+                                   mass_product(body, of_held);
+    state.acceleration = of_held + system.solve({1., 0., 0., 0.}, forces);
   }
 
 
@@ -220,6 +248,10 @@ namespace springfit
     const double end                           = state.time + step;
     const Eigen::MatrixXd there = with_supports(body, end, state.displacement);
 
+    SupportMotion of_supports;
+    if (body.support)
+      of_supports = motion_of_supports(body, end, 0.05 * step);
+
     const auto end_of = [&](const Eigen::MatrixXd &acceleration) {
       MotionState next;
       next.time         = end;
@@ -231,20 +263,23 @@ namespace springfit
         state.displacement + step * state.velocity +
         step * step * ((0.5 - beta) * state.acceleration + beta * acceleration);
       copy_held(body, there, next.displacement);
-      copy_held(body, (there - state.displacement) / step, next.velocity);
-      copy_held(body,
-                (next.velocity - state.velocity) / step,
-                next.acceleration);
+      if (body.support)
+        {
+          copy_held(body, of_supports.velocity, next.velocity);
+          copy_held(body, of_supports.acceleration, next.acceleration);
+        }
       return next;
     };
 
     StepEquations equations;
-    equations.mass_factor =
-      1. - alpha_m + (1. - alpha_f) * gamma * step * body.damping.mass_factor;
-    equations.stiffness_factor =
-      (1. - alpha_f) * step *
-      (gamma * body.damping.stiffness_factor + beta * step);
-    equations.state = [&](const Eigen::MatrixXd &acceleration) {
+    const double of_velocity     = (1. - alpha_f) * gamma * step;
+    const double of_displacement = (1. - alpha_f) * beta * step * step;
+    equations.factors = {1. - alpha_m + of_velocity * body.damping.mass_factor,
+                         of_velocity * body.damping.stiffness_factor +
+                           of_displacement,
+                         of_displacement,
+                         of_velocity};
+    equations.state   = [&](const Eigen::MatrixXd &acceleration) {
       const MotionState next = end_of(acceleration);
       MotionState between;
       between.time = end - alpha_f * step;
@@ -259,9 +294,8 @@ namespace springfit
     equations.left_over = [&](const Eigen::MatrixXd &,
                               const MotionState &between,
                               const Eigen::MatrixXd &driving) {
-      return Eigen::MatrixXd(driving -
-                             damping_forces(body, system, between.velocity) -
-                             times_mass(body, between.acceleration));
+      return Eigen::MatrixXd(driving - damping_of_step(body, system, between) -
+                             mass_product(body, between.acceleration));
     };
     Eigen::MatrixXd acceleration = state.acceleration;
     solve_by_newton(body, system, equations, limits, end, acceleration);

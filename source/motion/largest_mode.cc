@@ -11,18 +11,15 @@ namespace springfit
   namespace
   {
     // A fixed start has a part along every mode but by an accident.
-    Eigen::MatrixXd
-    random_motion(const int dim, const Eigen::VectorXd &weight)
+    Eigen::VectorXd
+    random_motion(const Eigen::VectorXd &weight)
     {
       std::mt19937 generator(1);
       std::uniform_real_distribution<double> uniform(-1., 1.);
-      Eigen::MatrixXd motion(dim, weight.size());
-      for (double &x : motion.reshaped())
+      Eigen::VectorXd motion(weight.size());
+      for (double &x : motion)
         x = uniform(generator);
-      for (Eigen::Index v = 0; v < weight.size(); ++v)
-        if (weight[v] == 0.)
-          motion.col(v).setZero();
-      return motion;
+      return (weight.array() == 0.).select(0., motion);
     }
   } // namespace
 
@@ -34,12 +31,12 @@ namespace springfit
                const std::vector<bool> &held,
                const double tolerance)
   {
-    Eigen::VectorXd weight(mass.size()); // M^(-1/2)
+    Eigen::VectorXd weight(dim * mass.size()); // M^(-1/2)
     Eigen::Index n_unknowns = 0;
-    for (Eigen::Index v = 0; v < mass.size(); ++v)
+    for (Eigen::Index i = 0; i < weight.size(); ++i)
       {
-        weight[v] = held[v] ? 0. : 1. / std::sqrt(mass[v]);
-        n_unknowns += held[v] ? 0 : dim;
+        weight[i] = held[i] ? 0. : 1. / std::sqrt(mass[i / dim]);
+        n_unknowns += !held[i];
       }
     LargestMode result;
     result.shape = Eigen::MatrixXd::Zero(dim, mass.size());
@@ -50,14 +47,13 @@ namespace springfit
     std::vector<Eigen::VectorXd> basis;
     std::vector<double> diagonal, off_diagonal;
     Eigen::MatrixXd u(dim, mass.size()), product(dim, mass.size());
-    basis.push_back(random_motion(dim, weight).reshaped().normalized());
+    basis.push_back(random_motion(weight).normalized());
     for (Eigen::Index k = 0; k < most; ++k)
       {
-        u = basis[k].reshaped(dim, mass.size()) * weight.asDiagonal();
+        u = basis[k].cwiseProduct(weight).reshaped(dim, mass.size());
         stiffness(u, product);
         ++result.n_products;
-        product              = product * weight.asDiagonal();
-        Eigen::VectorXd next = product.reshaped();
+        Eigen::VectorXd next = product.reshaped().cwiseProduct(weight);
         diagonal.push_back(basis[k].dot(next));
         // Twice is enough (Parlett, section 6.9).
         for (unsigned int time = 0; time < 2; ++time)
@@ -79,8 +75,7 @@ namespace springfit
             Eigen::VectorXd mode = Eigen::VectorXd::Zero(basis[0].size());
             for (Eigen::Index i = 0; i <= k; ++i)
               mode += small.eigenvectors()(i, k) * basis[i];
-            result.shape =
-              mode.reshaped(dim, mass.size()) * weight.asDiagonal();
+            result.shape = mode.cwiseProduct(weight).reshaped(dim, mass.size());
             result.shape /= result.shape.norm();
             result.lowest = std::max(largest, 0.);
             result.square = largest > 0. ? largest + residual : 0.;

@@ -2,10 +2,20 @@
 
 namespace springfit
 {
+  Eigen::MatrixXd
+  mass_product(const MovingBody &body, const Eigen::MatrixXd &u)
+  {
+    if (body.consistent_mass.nonZeros() > 0)
+      return u * body.consistent_mass;
+    return u * body.mass.asDiagonal();
+  }
+
+
   double
   kinetic_energy(const MovingBody &body, const MotionState &state)
   {
-    return 0.5 * state.velocity.colwise().squaredNorm() * body.mass;
+    return 0.5 * state.velocity.cwiseProduct(mass_product(body, state.velocity))
+                   .sum();
   }
 
 
@@ -19,7 +29,7 @@ namespace springfit
   Eigen::VectorXd
   momentum(const MovingBody &body, const MotionState &state)
   {
-    return state.velocity * body.mass;
+    return mass_product(body, state.velocity).rowwise().sum();
   }
 
 
@@ -43,6 +53,24 @@ namespace springfit
     for (std::size_t i = 0; i < body.held.size(); ++i)
       if (body.held[i])
         values.reshaped()[i] = others.reshaped()[i];
+  }
+
+
+  SupportMotion
+  motion_of_supports(const MovingBody &body,
+                     const double time,
+                     const double interval)
+  {
+    const Eigen::MatrixXd rest =
+      Eigen::MatrixXd::Zero(body.held.size() / body.mass.size(),
+                            body.mass.size());
+    const auto at = [&](const double t) {
+      return with_supports(body, t, rest);
+    };
+    const Eigen::MatrixXd before = at(time - interval),
+                          after  = at(time + interval);
+    return {(after - before) / (2. * interval),
+            (after - 2. * at(time) + before) / (interval * interval)};
   }
 
 

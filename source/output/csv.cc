@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace springfit
 {
@@ -63,6 +64,14 @@ namespace springfit
     char text[32];
     std::snprintf(text, sizeof(text), "%.*g", n_digits, number);
     return *this << std::string(text);
+  }
+
+  std::string
+  CsvTable::take_rows()
+  {
+    std::string rows;
+    std::swap(rows, rows_);
+    return rows.empty() ? rows : rows + '\n';
   }
 
   void

@@ -1,6 +1,8 @@
 #include <springfit/output/csv.h>
 #include <springfit/output/response_table.h>
 
+#include <algorithm>
+
 namespace springfit
 {
   template <int dim>
@@ -22,18 +24,29 @@ namespace springfit
 
   void
   write_response(const std::filesystem::path &path,
-                 const std::vector<bool> &fixed,
+                 const std::vector<bool> &held,
                  const Eigen::MatrixXd &forces,
-                 const Eigen::MatrixXd &displacement)
+                 const Eigen::MatrixXd &displacement,
+                 const Eigen::MatrixXd &reactions)
   {
-    CsvTable table("fixed,force_x,force_y,force_z,u_x,u_y,u_z");
+    const Eigen::Index dim = forces.rows();
+    CsvTable table("fixed,force_x,force_y,force_z,u_x,u_y,u_z,held_x,held_y,"
+                   "held_z,reaction_x,reaction_y,reaction_z");
+    const auto add_vector = [&](const Eigen::MatrixXd &field,
+                                const Eigen::Index node) {
+      for (Eigen::Index d = 0; d < 3; ++d)
+        table.exactly(d < dim ? field(d, node) : 0.);
+    };
     for (Eigen::Index node = 0; node < displacement.cols(); ++node)
       {
+        const auto first = held.begin() + dim * node;
         table.new_row();
-        table << (fixed[node] ? 1u : 0u);
-        for (const Eigen::MatrixXd *field : {&forces, &displacement})
-          for (Eigen::Index d = 0; d < 3; ++d)
-            table.exactly(d < field->rows() ? (*field)(d, node) : 0.);
+        table << (std::count(first, first + dim, true) == dim ? 1u : 0u);
+        add_vector(forces, node);
+        add_vector(displacement, node);
+        for (Eigen::Index d = 0; d < 3; ++d)
+          table << (d < dim && first[d] ? 1u : 0u);
+        add_vector(reactions, node);
       }
     table.write(path);
   }

@@ -1,5 +1,4 @@
 #include <springfit/output/result_names.h>
-#include <springfit/response/load_case.h>
 #include <springfit/springs/spring_kinds.h>
 
 #include <regex>
@@ -10,6 +9,16 @@ namespace springfit
 {
   namespace
   {
+    /** "fem|block|..." */
+    std::string
+    alternatives(const std::vector<std::string> &words)
+    {
+      std::string all;
+      for (const auto &word : words)
+        all += (all.empty() ? "" : "|") + word;
+      return all;
+    }
+
     /** "springs|angles|...", for a regular expression. */
     std::string
     words_of_kinds()
@@ -17,29 +26,17 @@ namespace springfit
       std::set<std::string> words;
       for (const SpringKind *kind : spring_kinds())
         words.insert(kind->word());
-      std::string all;
-      for (const auto &word : words)
-        all += (all.empty() ? "" : "|") + word;
-      return all;
-    }
-
-    /** "tension|compression|...", for a regular expression. */
-    std::string
-    words_of_loads()
-    {
-      std::string all;
-      for (const auto &[load, word] : load_words())
-        all += (all.empty() ? "" : "|") + word;
-      return all;
+      return alternatives({words.begin(), words.end()});
     }
   } // namespace
 
   bool
-  is_result(const std::string &name)
+  is_result(const std::string &name, const std::vector<std::string> &models)
   {
-    static const std::regex results(
-      "(comparison|fit|nodes|cells|sweep|(" + words_of_kinds() + ")_.*|(" +
-      words_of_loads() + ")_.*)\\.csv|.*\\.vtu|.*\\.pvd");
+    const std::regex results(
+      "checkpoint\\.bin|(comparison|dynamics|reactions|fit|nodes|cells|sweep|(" +
+      words_of_kinds() + ")_.*|.+_(" + alternatives(models) +
+      ")(_.*)?)\\.csv|.*\\.vtu|.*\\.pvd");
     return std::regex_match(name, results);
   }
 } // namespace springfit

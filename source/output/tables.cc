@@ -6,6 +6,21 @@
 
 namespace springfit
 {
+  namespace
+  {
+    /** A name that may hold commas and quotes, as tables have it. */
+    std::string
+    quoted(const std::string &name)
+    {
+      if (name.find_first_of(",\"") == std::string::npos)
+        return name;
+      std::string result = "\"";
+      for (const char c : name)
+        result += c == '"' ? std::string("\"\"") : std::string(1, c);
+      return result + '"';
+    }
+  } // namespace
+
   void
   write_comparison(const std::filesystem::path &folder,
                    const std::vector<ComparisonRow> &rows)
@@ -22,17 +37,39 @@ namespace springfit
             youngs_modulus = row.delivered->youngs_modulus;
             poissons_ratio = row.delivered->poissons_ratio;
           }
+        std::optional<double> e_rms_loaded, e_max_loaded;
+        if (row.errors_where_loaded)
+          {
+            e_rms_loaded = row.errors_where_loaded->e_rms_percent;
+            e_max_loaded = row.errors_where_loaded->e_max_percent;
+          }
         table.new_row();
         table << row.load_case << row.fit << row.enrichment << row.kinematics
               << row.errors.e_rms_percent << row.errors.e_max_percent
               << youngs_modulus << poissons_ratio << row.n_nodes << row.n_cells
               << row.n_springs << row.n_negative << row.calibrate_seconds
-              << row.fem_seconds << row.lem_seconds
-              << row.errors_where_loaded.e_rms_percent
-              << row.errors_where_loaded.e_max_percent
-              << (row.is_trained ? "yes" : "no");
+              << row.fem_seconds << row.lem_seconds << e_rms_loaded
+              << e_max_loaded << (row.is_trained ? "yes" : "no");
       }
     table.write(folder / "comparison.csv");
+  }
+
+  void
+  write_reactions(const std::filesystem::path &folder,
+                  const std::vector<ComparisonRow> &rows)
+  {
+    CsvTable table(
+      "case,fit,enrichment,kinematics,support,force_x,force_y,force_z");
+    for (const auto &row : rows)
+      for (const auto &[support, force] : row.reactions)
+        {
+          table.new_row();
+          table << row.load_case << row.fit << row.enrichment << row.kinematics
+                << quoted(support);
+          for (Eigen::Index d = 0; d < 3; ++d)
+            table << (d < force.size() ? force[d] : 0.);
+        }
+    table.write(folder / "reactions.csv");
   }
 
   void

@@ -60,8 +60,10 @@ namespace springfit
           const std::vector<dealii::DataOutBase::Patch<dim, spacedim>> &patches,
           const Components &components)
     {
-      // The best compression takes several times as long and saves a twentieth.
       dealii::DataOutBase::VtkFlags flags;
+      // The same results are the same files.
+      flags.print_date_and_time = false;
+      // The best compression takes several times as long and saves a twentieth.
       flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
       write_file(path, [&](std::ostream &file) {
         dealii::DataOutBase::write_vtu(

@@ -11,10 +11,10 @@ namespace springfit
 {
   template <int dim>
   Discretization<dim>::Discretization(const Mesh<dim> &mesh,
-                                      const std::vector<bool> &fixed,
+                                      const std::vector<bool> &held,
                                       const MPI_Comm communicator)
     : mesh_(mesh)
-    , fixed_(fixed)
+    , held_(held)
     , communicator_(communicator)
     , dof_handler_(mesh.triangulation)
   {
@@ -37,8 +37,8 @@ namespace springfit
           dofs_[dim * cell->vertex_index(v) + d] = cell->vertex_dof_index(v, d);
 
     for (unsigned int v = 0; v < n_nodes(); ++v)
-      if (fixed[v])
-        for (int d = 0; d < dim; ++d)
+      for (int d = 0; d < dim; ++d)
+        if (held[dim * v + d])
           constraints_.add_line(dof(v, d));
     constraints_.close();
 
@@ -75,9 +75,9 @@ namespace springfit
 
   template <int dim>
   const std::vector<bool> &
-  Discretization<dim>::fixed() const
+  Discretization<dim>::held() const
   {
-    return fixed_;
+    return held_;
   }
 
   template <int dim>

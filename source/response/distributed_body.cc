@@ -13,7 +13,7 @@ namespace springfit
   namespace
   {
     NodePattern
-    pattern_of(const ElasticBody &body, const unsigned int n_nodes)
+    pattern_of(const BodyOfMembers &body, const unsigned int n_nodes)
     {
       NodePattern pattern(n_nodes);
       body.add_to_pattern(pattern);
@@ -38,7 +38,7 @@ namespace springfit
   template <int dim>
   DistributedBody<dim>::DistributedBody(
     const Discretization<dim> &discretization,
-    const ElasticBody &body)
+    const BodyOfMembers &body)
     : discretization_(discretization)
     , share_(body.share(discretization.owned_nodes()))
     , of_share_(dim, pattern_of(*share_, discretization.n_nodes()))
@@ -92,7 +92,7 @@ namespace springfit
   {
     matrix            = 0.;
     const auto &local = of_share_.matrix();
-    const auto &fixed = discretization_.fixed();
+    const auto &held  = discretization_.held();
     const auto dof    = [&](const Eigen::Index row) {
       return discretization_.dof(row / dim, row % dim);
     };
@@ -105,7 +105,7 @@ namespace springfit
         values.clear();
         for (Eigen::SparseMatrix<double>::InnerIterator it(local, row); it;
              ++it)
-          if (fixed[row / dim])
+          if (held[row])
             {
               if (it.row() == row)
                 {
@@ -113,7 +113,7 @@ namespace springfit
                   values.push_back(std::abs(it.value()));
                 }
             }
-          else if (!fixed[it.row() / dim])
+          else if (!held[it.row()])
             {
               columns.push_back(dof(it.row()));
               values.push_back(it.value());

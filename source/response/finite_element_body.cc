@@ -113,6 +113,21 @@ namespace springfit
 
   template <int dim>
   void
+  FiniteElementBody<dim>::add_tangent_product(
+    const Eigen::MatrixXd &displacement,
+    const Eigen::MatrixXd &u,
+    Eigen::MatrixXd &product) const
+  {
+    for_each_term(displacement, [&](const EnergyTerm &term) {
+      const Eigen::MatrixXd of_cell = u(Eigen::all, term.nodes);
+      const Eigen::VectorXd forces  = term.hessian * of_cell.reshaped();
+      for (std::size_t a = 0; a < term.nodes.size(); ++a)
+        product.col(term.nodes[a]) += forces.segment<dim>(dim * a);
+    });
+  }
+
+  template <int dim>
+  void
   FiniteElementBody<dim>::add_tangent(const Eigen::MatrixXd &displacement,
                                       TangentMatrix &tangent) const
   {
@@ -146,7 +161,7 @@ namespace springfit
   }
 
   template <int dim>
-  std::unique_ptr<const ElasticBody>
+  std::unique_ptr<const BodyOfMembers>
   FiniteElementBody<dim>::share(const std::vector<bool> &nodes) const
   {
     std::vector<Cell> mine;
@@ -154,6 +169,24 @@ namespace springfit
       if (nodes[cell->vertex_index(0)])
         mine.push_back(cell);
     return std::make_unique<FiniteElementBody<dim>>(std::move(mine),
+                                                    element_,
+                                                    materials_,
+                                                    law_);
+  }
+
+  template <int dim>
+  std::unique_ptr<const BodyOfMembers>
+  FiniteElementBody<dim>::touching(const std::vector<bool> &nodes) const
+  {
+    std::vector<Cell> touching;
+    for (const auto &cell : cells_)
+      for (const unsigned int v : cell->vertex_indices())
+        if (nodes[cell->vertex_index(v)])
+          {
+            touching.push_back(cell);
+            break;
+          }
+    return std::make_unique<FiniteElementBody<dim>>(std::move(touching),
                                                     element_,
                                                     materials_,
                                                     law_);

@@ -37,10 +37,12 @@ namespace springfit
 
   template <int dim>
   LinearModel<dim>::LinearModel(const Discretization<dim> &discretization,
-                                const ElasticBody &body,
+                                const BodyOfMembers &body,
                                 const SolverFactory<dim> &make_solver,
                                 const ModelWords &words)
-    : discretization_(discretization), words_(words)
+    : discretization_(discretization)
+    , words_(words)
+    , at_supports_(discretization, body)
   {
     dealii::Timer timer(discretization.communicator());
     discretization.initialize(stiffness_);
@@ -57,9 +59,13 @@ namespace springfit
 
   template <int dim>
   Equilibrium
-  LinearModel<dim>::respond(const Eigen::MatrixXd &forces) const
+  LinearModel<dim>::respond(const NodalLoad &load) const
   {
     dealii::Timer timer(discretization_.communicator());
+    Eigen::MatrixXd forces = load.forces;
+    if (!load.support.isZero(0.))
+      forces -= at_supports_.tangent_product(
+        Eigen::MatrixXd::Zero(forces.rows(), forces.cols()), load.support);
     const auto right_hand_side = discretization_.to_vector(forces);
     const auto displacement =
       explaining(words_, [&]() { return solver_->solve(right_hand_side); });
@@ -75,10 +81,12 @@ namespace springfit
         throw not_found(words_, reason.str());
       }
     timer.stop();
-    return {discretization_.to_nodal(displacement),
-            seconds_ + timer.wall_time(),
-            1.,
-            {}};
+    Equilibrium found;
+    found.displacement = load.support + discretization_.to_nodal(displacement);
+    found.seconds      = seconds_ + timer.wall_time();
+    found.reactions =
+      at_supports_.linear_reactions(found.displacement, load.forces);
+    return found;
   }
 
   template class LinearModel<2>;

@@ -67,14 +67,30 @@ namespace springfit
   }
 
   template <int dim>
-  std::vector<bool>
-  LoadedSurface<dim>::nodes(const unsigned int n_nodes) const
+  Eigen::VectorXd
+  LoadedSurface<dim>::shares(const unsigned int n_nodes) const
   {
-    std::vector<bool> nodes(n_nodes, false);
+    dealii::FEFaceValues<dim> values(*element_.mapping,
+                                     *element_.scalar,
+                                     element_.face_quadrature,
+                                     dealii::update_values |
+                                       dealii::update_JxW_values);
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(n_nodes);
     for (const auto &[cell, number] : faces_)
-      for (const unsigned int v : cell->face(number)->vertex_indices())
-        nodes[cell->face(number)->vertex_index(v)] = true;
-    return nodes;
+      {
+        values.reinit(cell, number);
+        for (const unsigned int v : cell->face(number)->vertex_indices())
+          {
+            // The cell's number of the vertex is that of its shape function.
+            unsigned int a = 0;
+            while (cell->vertex_index(a) != cell->face(number)->vertex_index(v))
+              ++a;
+            for (const unsigned int q : values.quadrature_point_indices())
+              shares[cell->vertex_index(a)] +=
+                values.shape_value(a, q) * values.JxW(q);
+          }
+      }
+    return shares;
   }
 
   template <int dim>
@@ -82,25 +98,19 @@ namespace springfit
   LoadedSurface<dim>::forces(const Traction &traction,
                              const unsigned int n_nodes) const
   {
-    dealii::FEFaceValues<dim> values(*element_.mapping,
-                                     *element_.scalar,
-                                     element_.face_quadrature,
-                                     dealii::update_values |
-                                       dealii::update_JxW_values);
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(dim, n_nodes);
-    for (const auto &[cell, number] : faces_)
-      {
-        values.reinit(cell, number);
-        for (const unsigned int a : values.dof_indices())
-          {
-            double share = 0.; // vanishes for vertices off the face
-            for (const unsigned int q : values.quadrature_point_indices())
-              share += values.shape_value(a, q) * values.JxW(q);
-            const auto t = traction(cell->vertex(a));
-            for (int d = 0; d < dim; ++d)
-              forces(d, cell->vertex_index(a)) += share * t[d];
-          }
-      }
+    const Eigen::VectorXd of_nodes = shares(n_nodes);
+    Eigen::MatrixXd forces         = Eigen::MatrixXd::Zero(dim, n_nodes);
+    if (faces_.empty())
+      return forces;
+    const auto &vertices =
+      faces_.front().cell->get_triangulation().get_vertices();
+    for (unsigned int v = 0; v < n_nodes; ++v)
+      if (of_nodes[v] != 0.)
+        {
+          const auto t = traction(vertices[v]);
+          for (int d = 0; d < dim; ++d)
+            forces(d, v) = of_nodes[v] * t[d];
+        }
     return forces;
   }
 

@@ -1,9 +1,9 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
-#include <springfit/mesh/boundaries.h>
+#include <springfit/response/boundary_parts.h>
+#include <springfit/response/canned_loads.h>
 #include <springfit/response/loaded_surface.h>
 #include <springfit/response/loads.h>
-#include <springfit/response/region.h>
 #include <springfit/response/supports.h>
 
 #include <algorithm>
@@ -24,119 +24,54 @@ namespace springfit
       return vector;
     }
 
-    /** Whether a face of the boundary belongs to a part that a user names. */
+    /** How far a mesh reaches along a direction of length 1, m. */
     template <int dim>
-    using FaceCondition = std::function<bool(
-      const typename dealii::Triangulation<dim>::active_face_iterator &)>;
-
-    /**
-     * A part of the boundary: the faces in the region, if one is given, or
-     * else those with one of the boundary ids.
-     */
-    template <int dim>
-    FaceCondition<dim>
-    face_condition(const Mesh<dim> &mesh,
-                   const std::string &boundaries,
-                   const std::string &region,
-                   const std::string &which)
+    double
+    extent_along(const dealii::Tensor<1, dim> &axis, const Mesh<dim> &mesh)
     {
-      if (!region.empty())
+      const auto &vertices = mesh.triangulation.get_vertices();
+      double lowest = axis * vertices[0], highest = lowest;
+      for (const auto &vertex : vertices)
         {
-          const auto shape =
-            std::make_shared<Region<dim>>(region, "Loads/" + which + " region");
-          return [shape](const auto &face) {
-            for (const unsigned int v : face->vertex_indices())
-              if (!shape->contains(face->vertex(v)))
-                return false;
-            return true;
-          };
+          lowest  = std::min(lowest, axis * vertex);
+          highest = std::max(highest, axis * vertex);
         }
-      const auto ids = find_boundaries(mesh,
-                                       split_at_commas(boundaries),
-                                       "Loads/" + which + " boundaries");
-      return
-        [ids](const auto &face) { return ids.count(face->boundary_id()) > 0; };
+      return highest - lowest;
     }
 
     template <int dim>
-    std::vector<typename LoadedSurface<dim>::Face>
-    faces_where(const Mesh<dim> &mesh, const FaceCondition<dim> &condition)
+    std::vector<std::string>
+    canned_words()
     {
-      std::vector<typename LoadedSurface<dim>::Face> faces;
-      for (const auto &cell : mesh.triangulation.active_cell_iterators())
-        for (const unsigned int f : cell->face_indices())
-          if (cell->face(f)->at_boundary() && condition(cell->face(f)))
-            faces.push_back({cell, f});
-      return faces;
+      auto words = words_of(load_words());
+      if (dim == 2)
+        words.pop_back(); // torsion
+      return words;
     }
 
-    /** The coordinate direction most perpendicular to @p axis, made so. */
-    template <int dim>
-    dealii::Tensor<1, dim>
-    shear_direction(const dealii::Tensor<1, dim> &axis)
-    {
-      // The tolerance keeps the choice from hanging on rounding errors; among
-      // equals the first direction after the axis' own is taken.
-      int own = 0;
-      for (int d = 1; d < dim; ++d)
-        if (std::abs(axis[d]) > std::abs(axis[own]) + 1e-6)
-          own = d;
-      int best = (own + 1) % dim;
-      for (int d = 0; d < dim; ++d)
-        if (std::abs(axis[d]) < std::abs(axis[best]) - 1e-6)
-          best = d;
-      dealii::Tensor<1, dim> direction;
-      direction[best] = 1.;
-      direction -= (direction * axis) * axis;
-      return direction / direction.norm();
-    }
+    const std::string no_boundary = "none", no_load = "none";
 
-    template <int dim>
-    typename LoadedSurface<dim>::Traction
-    unit_traction(const Load load,
-                  const dealii::Tensor<1, dim> &axis,
-                  const LoadedSurface<dim> &surface)
+    bool
+    is_canned(const std::string &name)
     {
-      switch (load)
-        {
-          case Load::tension:
-            return [axis](const auto &) { return axis; };
-          case Load::compression:
-            return [axis](const auto &) { return -axis; };
-          case Load::shear:
-            return [direction = shear_direction(axis)](const auto &) {
-              return direction;
-            };
-          default:
-            return [axis,
-                    centroid = surface.centroid(),
-                    radius   = surface.radius()](const auto &point) {
-              dealii::Tensor<1, dim> traction;
-              if constexpr (dim == 3)
-                traction =
-                  dealii::cross_product_3d(axis, point - centroid) / radius;
-              return traction;
-            };
-        }
+      const auto words = words_of(load_words());
+      return std::find(words.begin(), words.end(), name) != words.end();
     }
   } // namespace
 
   template <int dim>
   Loads<dim>::Loads() : dealii::ParameterAcceptor("Loads")
   {
-    auto words = words_of(load_words());
-    if (dim == 2)
-      words.pop_back(); // torsion
-    cases_word_ = join(words);
-
     add_parameter(
       "Cases",
       cases_word_,
-      "Load cases, each a row of the tables: " + join(words) +
-        " (no unit). Tension pulls the loaded boundaries along their "
-        "mean outward normal, compression against it, shear along "
-        "the coordinate direction most perpendicular to it; "
-        "torsion turns them about it." +
+      "Load cases, each a row of the tables: " + join(canned_words<dim>()) +
+        ", or those that 'Forces', 'Tractions' and 'Supports' name (no unit). "
+        "Empty: the latter if there are any, else all of the former. \"none\" "
+        "is one without any load, for a motion under contact alone. Tension "
+        "pulls the loaded boundaries along their mean outward normal, "
+        "compression against it, shear along the coordinate direction most "
+        "perpendicular to it; torsion turns them about it." +
         (dim == 2 ? " Torsion needs three dimensions." : ""));
     add_parameter(
       "Training cases",
@@ -150,13 +85,14 @@ namespace springfit
       "Boundary ids or names whose nodes are held in all directions; "
       "a name that holds a comma, or is a number, stands in double "
       "quotes, and \"id 2\" is the number 2. If empty and there is "
-      "no 'Fixed region', 0 (no unit).");
+      "no 'Fixed region' and no 'Supports', 0; \"none\" leaves a body free, "
+      "which moves but has no equilibrium (no unit).");
     add_parameter(
       "Loaded boundaries",
       loaded_boundaries_,
-      "Boundary ids or names on which the traction acts, written as "
-      "those that are fixed. If empty and there is no 'Loaded "
-      "region', 1 (no unit).");
+      "Boundary ids or names on which the traction of tension, compression, "
+      "shear and torsion acts, written as those that are fixed. If empty and "
+      "there is no 'Loaded region', 1 (no unit).");
     add_parameter("Fixed region",
                   fixed_region_,
                   "Instead of 'Fixed boundaries': a condition on x, y, z in m "
@@ -167,13 +103,47 @@ namespace springfit
                   "that all vertices of a loaded boundary face meet.");
     add_parameter("Deformation",
                   deformation_,
-                  "The force is scaled so that the linear finite element "
-                  "model's largest displacement is this times the object's "
-                  "extent along the pull (no unit, 0.1 is 10 %), positive.");
-    this->parse_parameters_call_back.connect([this]() {
-      complete("Fixed", fixed_boundaries_, fixed_region_, "0");
-      complete("Loaded", loaded_boundaries_, loaded_region_, "1");
-    });
+                  "The force of tension, compression, shear and torsion is "
+                  "scaled so that the linear finite element model's largest "
+                  "displacement is this times the object's extent along the "
+                  "pull (no unit, 0.1 is 10 %), positive.");
+
+    const std::string direction = dim == 2 ? "0, -2" : "0, 0, -2";
+    const std::string last      = dim == 2 ? "y" : "z";
+    add_parameter(
+      "Supports",
+      own_.supports,
+      "Components that are held, or moved to a displacement in m, between "
+      "semicolons: \"base; floor: " +
+        last + "; where x < 1e-6: x, y = 0.001 * t; press on lid: " + last +
+        " = -0.002\" holds the boundary base, lets floor slide, and moves lid "
+        "in the case press. Without \"CASE on\" it is so in all cases of the "
+        "user's own; what others hold is held, too, and stays where it is. "
+        "Displacements are expressions of x, y, " +
+        (dim == 2 ? "" : "z, ") + "t (m, s).");
+    add_parameter(
+      "Forces",
+      own_.forces,
+      "Forces in N, spread evenly over the boundaries that they act on: "
+      "\"press on top, side: " +
+        direction +
+        "; pull on where x > 0.01: " + (dim == 2 ? "1, 0" : "1, 0, 0") +
+        "\" are the load cases press and pull. Components are expressions "
+        "of x, y, " +
+        (dim == 2 ? "" : "z, ") + "t (m, s).");
+    add_parameter("Tractions",
+                  own_.tractions,
+                  "The same in Pa, forces per area at rest: \"press on top: " +
+                    direction + "00\".");
+    add_parameter("Gravity",
+                  own_.gravity,
+                  std::string("Acceleration in m/s^2 of all nodes in all cases "
+                              "of the user's own: \"") +
+                    (dim == 2 ? "0, -9.81" : "0, 0, -9.81") + "\".");
+    add_parameter("Time",
+                  time_,
+                  "The time in s at which statics take expressions of t.");
+    this->parse_parameters_call_back.connect([this]() { complete(); });
   }
 
   template <int dim>
@@ -189,33 +159,72 @@ namespace springfit
                          "' is given beside it.",
                        "Give one of the two and leave the other empty.");
     // Through the entry, so that it is among the values in force.
-    if (boundaries.empty() && region.empty())
+    if (boundaries.empty() && region.empty() && !otherwise.empty())
       this->prm.set(which + " boundaries", otherwise);
   }
 
   template <int dim>
-  std::vector<Load>
-  Loads<dim>::cases() const
+  void
+  Loads<dim>::complete()
   {
-    return values_of(load_words(), cases_word_, "Loads/Cases");
+    if (split_at_commas(cases_word_).empty())
+      {
+        const auto own = own_loads().cases();
+        this->prm.set("Cases", join(own.empty() ? canned_words<dim>() : own));
+      }
+    complete("Fixed",
+             fixed_boundaries_,
+             fixed_region_,
+             own_.supports.empty() ? "0" : "");
+    complete("Loaded",
+             loaded_boundaries_,
+             loaded_region_,
+             has_canned_cases() ? "1" : "");
   }
 
   template <int dim>
-  std::vector<Load>
+  OwnLoads<dim>
+  Loads<dim>::own_loads() const
+  {
+    return OwnLoads<dim>(own_);
+  }
+
+  template <int dim>
+  std::vector<std::string>
+  Loads<dim>::cases_of(const std::string &words, const std::string &entry) const
+  {
+    WordTable<std::string> known;
+    for (const auto &word : words_of(load_words()))
+      known.emplace_back(word, word);
+    for (const auto &name : own_loads().cases())
+      known.emplace_back(name, name);
+    known.emplace_back(no_load, no_load);
+    return values_of(known, words, entry);
+  }
+
+  template <int dim>
+  std::vector<std::string>
   Loads<dim>::training_cases() const
   {
     const std::string entry = "Loads/Training cases";
-    const auto all          = cases();
+    const auto all          = cases_of(cases_word_, "Loads/Cases");
     if (split_at_commas(training_word_).empty())
       return all;
-    const auto training = values_of(load_words(), training_word_, entry);
-    for (const Load load : training)
-      if (std::find(all.begin(), all.end(), load) == all.end())
+    const auto training = cases_of(training_word_, entry);
+    for (const auto &name : training)
+      if (std::find(all.begin(), all.end(), name) == all.end())
         throw EntryError(entry,
-                         "'" + word_of(load_words(), load) +
-                           "' is not among the cases.",
+                         "'" + name + "' is not among the cases.",
                          "Add it to 'Cases', which has " + cases_word_ + '.');
     return training;
+  }
+
+  template <int dim>
+  bool
+  Loads<dim>::has_canned_cases() const
+  {
+    const auto cases = split_at_commas(cases_word_);
+    return std::any_of(cases.begin(), cases.end(), is_canned);
   }
 
   template <int dim>
@@ -223,8 +232,8 @@ namespace springfit
   Loads<dim>::check() const
   {
     training_cases();
-    for (const Load load : cases())
-      if (dim == 2 && load == Load::torsion)
+    for (const auto &name : cases_of(cases_word_, "Loads/Cases"))
+      if (dim == 2 && name == word_of(load_words(), Load::torsion))
         throw EntryError("Loads/Cases",
                          "torsion needs three dimensions.",
                          "Remove it, or set Dimension = 3.");
@@ -243,89 +252,121 @@ namespace springfit
   std::vector<bool>
   Loads<dim>::fixed_nodes(const Mesh<dim> &mesh) const
   {
-    const auto &vertices = mesh.triangulation.get_vertices();
-    std::vector<bool> fixed(vertices.size(), false);
+    if (fixed_region_.empty())
+      return nodes_of_faces(mesh,
+                            faces_of_boundaries(mesh,
+                                                fixed_boundaries_,
+                                                "Loads/Fixed boundaries"));
+    const auto nodes = nodes_where(mesh, fixed_region_, "Loads/Fixed region");
+    if (std::find(nodes.begin(), nodes.end(), true) == nodes.end())
+      throw EntryError("Loads/Fixed region",
+                       "no node meets '" + fixed_region_ + "'.",
+                       "Lengths are in m; widen the condition.");
+    return nodes;
+  }
+
+  template <int dim>
+  std::string
+  Loads<dim>::entry_of_supports() const
+  {
     if (!fixed_region_.empty())
-      {
-        const Region<dim> region(fixed_region_, "Loads/Fixed region");
-        for (unsigned int v = 0; v < vertices.size(); ++v)
-          fixed[v] = region.contains(vertices[v]);
-        if (std::count(fixed.begin(), fixed.end(), true) == 0)
-          throw EntryError("Loads/Fixed region",
-                           "no node meets '" + fixed_region_ + "'.",
-                           "Lengths are in m; widen the condition.");
-      }
-    else
-      for (const auto &[cell, number] :
-           faces_where(mesh,
-                       face_condition(mesh, fixed_boundaries_, "", "Fixed")))
-        for (const unsigned int v : cell->face(number)->vertex_indices())
-          fixed[cell->face(number)->vertex_index(v)] = true;
-    return fixed;
+      return "Loads/Fixed region";
+    return own_.supports.empty() ? "Loads/Fixed boundaries" : "Loads/Supports";
+  }
+
+  template <int dim>
+  void
+  Loads<dim>::add_canned(const Mesh<dim> &mesh,
+                         const Element<dim> &element,
+                         const double thickness,
+                         Loading &loading) const
+  {
+    const bool by_region = !loaded_region_.empty();
+    const std::string entry =
+      by_region ? "Loads/Loaded region" : "Loads/Loaded boundaries";
+    auto faces = by_region
+                   ? faces_where(mesh, loaded_region_, entry)
+                   : faces_of_boundaries(mesh, loaded_boundaries_, entry);
+    if (faces.empty())
+      throw EntryError(entry,
+                       "no boundary face is loaded.",
+                       "Name a boundary of the mesh, or widen the condition "
+                       "(lengths are in m, and all vertices of a face must "
+                       "meet it).");
+    const auto loaded          = nodes_of_faces(mesh, faces);
+    const unsigned int n_nodes = loaded.size();
+    bool felt                  = false;
+    for (unsigned int v = 0; v < n_nodes; ++v)
+      for (int d = 0; d < dim; ++d)
+        felt = felt || (loaded[v] && !loading.held[dim * v + d]);
+    if (!felt)
+      throw EntryError(entry,
+                       "every loaded node is fixed, so that no load is left.",
+                       "Load another boundary than the fixed one.");
+
+    const LoadedSurface<dim> surface(std::move(faces), element);
+    if (surface.mean_normal().norm() < 1e-6)
+      throw EntryError(entry,
+                       "the loaded surface is closed or symmetric: its mean "
+                       "normal, the axis of the pull, vanishes.",
+                       "Load a part of the boundary that faces one way.");
+    const dealii::Tensor<1, dim> axis =
+      surface.mean_normal() / surface.mean_normal().norm();
+    loading.pull = {to_eigen(axis), extent_along(axis, mesh), deformation_};
+
+    for (auto &load_case : loading.cases)
+      if (load_case.canned)
+        load_case.load = load_of_forces(
+          thickness *
+          surface.forces(unit_traction(*load_case.canned, axis, surface),
+                         n_nodes));
+  }
+
+  template <int dim>
+  void
+  Loads<dim>::check_supports(const Mesh<dim> &mesh,
+                             const Loading &loading) const
+  {
+    springfit::check_supports(mesh, loading.held, entry_of_supports());
   }
 
   template <int dim>
   Loading
   Loads<dim>::resolve(const Mesh<dim> &mesh,
                       const Element<dim> &element,
-                      const double thickness) const
+                      const MaterialTable &materials) const
   {
-    const auto &vertices       = mesh.triangulation.get_vertices();
-    const unsigned int n_nodes = vertices.size();
-
+    const auto own = own_loads();
     Loading loading;
-    loading.fixed       = fixed_nodes(mesh);
-    loading.deformation = deformation_;
-    check_supports(mesh,
-                   loading.fixed,
-                   fixed_region_.empty() ? "Loads/Fixed boundaries"
-                                         : "Loads/Fixed region");
-
-    const std::string loaded_entry = loaded_region_.empty()
-                                       ? "Loads/Loaded boundaries"
-                                       : "Loads/Loaded region";
-    auto faces                     = faces_where(
-      mesh, face_condition(mesh, loaded_boundaries_, loaded_region_, "Loaded"));
-    if (faces.empty())
-      throw EntryError(loaded_entry,
-                       "no boundary face is loaded.",
-                       "Name a boundary of the mesh, or widen the condition "
-                       "(lengths are in m, and all vertices of a face must "
-                       "meet it).");
-    const LoadedSurface<dim> surface(std::move(faces), element);
-
-    const auto loaded = surface.nodes(n_nodes);
-    bool felt         = false;
-    for (unsigned int v = 0; v < n_nodes; ++v)
-      felt = felt || (loaded[v] && !loading.fixed[v]);
-    if (!felt)
-      throw EntryError(loaded_entry,
-                       "every loaded node is fixed, so that no load is left.",
-                       "Load another boundary than the fixed one.");
-
-    if (surface.mean_normal().norm() < 1e-6)
-      throw EntryError(loaded_entry,
-                       "the loaded surface is closed or symmetric: its mean "
-                       "normal, the axis of the pull, vanishes.",
-                       "Load a part of the boundary that faces one way.");
-    const dealii::Tensor<1, dim> axis =
-      surface.mean_normal() / surface.mean_normal().norm();
-    loading.axis = to_eigen(axis);
-
-    double lowest = axis * vertices[0], highest = lowest;
-    for (const auto &vertex : vertices)
-      {
-        lowest  = std::min(lowest, axis * vertex);
-        highest = std::max(highest, axis * vertex);
-      }
-    loading.extent = highest - lowest;
-
-    for (const Load load : cases())
-      loading.cases.push_back(
-        {load,
-         thickness *
-           surface.forces(unit_traction(load, axis, surface), n_nodes)});
     loading.training = training_cases();
+    loading.supports = own.supports(mesh);
+    if (!fixed_region_.empty() ||
+        !(fixed_boundaries_.empty() || fixed_boundaries_ == no_boundary))
+      {
+        const auto fixed = fixed_nodes(mesh);
+        std::vector<bool> held;
+        for (const bool is_fixed : fixed)
+          held.insert(held.end(), dim, is_fixed);
+        loading.supports.insert(loading.supports.begin(), {"fixed", held});
+      }
+    loading.held.assign(dim * mesh.triangulation.n_vertices(), false);
+    for (const auto &support : loading.supports)
+      for (std::size_t i = 0; i < loading.held.size(); ++i)
+        loading.held[i] = loading.held[i] || support.held[i];
+    for (const auto &name : cases_of(cases_word_, "Loads/Cases"))
+      {
+        LoadCase load_case{name, {}, {}, {}};
+        if (is_canned(name))
+          load_case.canned = value_of(load_words(), name, "Loads/Cases");
+        else
+          {
+            load_case.at   = own.load(name, mesh, element, materials);
+            load_case.load = load_case.at(time_);
+          }
+        loading.cases.push_back(load_case);
+      }
+    if (has_canned_cases())
+      add_canned(mesh, element, materials.begin()->second.thickness, loading);
     return loading;
   }
 

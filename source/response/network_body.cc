@@ -1,5 +1,6 @@
 #include <springfit/response/network_body.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -27,6 +28,17 @@ namespace springfit
   }
 
   void
+  NetworkBody::add_tangent_product(const Eigen::MatrixXd &displacement,
+                                   const Eigen::MatrixXd &u,
+                                   Eigen::MatrixXd &product) const
+  {
+    springfit::add_tangent_product(families_,
+                                   nodes_ + displacement,
+                                   u,
+                                   product);
+  }
+
+  void
   NetworkBody::add_tangent(const Eigen::MatrixXd &displacement,
                            TangentMatrix &tangent) const
   {
@@ -48,18 +60,38 @@ namespace springfit
     springfit::add_to_pattern(families_, pattern);
   }
 
-  std::unique_ptr<const ElasticBody>
-  NetworkBody::share(const std::vector<bool> &nodes) const
+  template <typename Condition>
+  std::unique_ptr<const BodyOfMembers>
+  NetworkBody::part(const Condition &is_wanted) const
   {
-    Families mine;
+    Families wanted;
     for (const auto &family : families_)
       {
+        const unsigned int n_nodes = family.kind->n_nodes();
         std::vector<std::size_t> members;
         for (std::size_t m = 0; m < family.size(); ++m)
-          if (nodes[*family.nodes(m)])
+          if (is_wanted(family.nodes(m), n_nodes))
             members.push_back(m);
-        mine.push_back(selected(family, members));
+        wanted.push_back(selected(family, members));
       }
-    return std::make_unique<NetworkBody>(nodes_, std::move(mine));
+    return std::make_unique<NetworkBody>(nodes_, std::move(wanted));
+  }
+
+  std::unique_ptr<const BodyOfMembers>
+  NetworkBody::share(const std::vector<bool> &nodes) const
+  {
+    return part([&](const unsigned int *of_member, unsigned int) {
+      return nodes[*of_member];
+    });
+  }
+
+  std::unique_ptr<const BodyOfMembers>
+  NetworkBody::touching(const std::vector<bool> &nodes) const
+  {
+    return part([&](const unsigned int *of_member, const unsigned int n) {
+      return std::any_of(of_member, of_member + n, [&](const unsigned int v) {
+        return nodes[v];
+      });
+    });
   }
 } // namespace springfit

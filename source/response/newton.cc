@@ -1,8 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/response/newton.h>
 
-#include <deal.II/base/exceptions.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -129,17 +127,21 @@ namespace springfit
          const double tolerance)
   {
     LoadedBody<dim> loaded(discretization, body, make_solver, forces);
-    const double load = forces.l2_norm();
-    auto state        = loaded.at(start);
-    AssertThrow(state, dealii::ExcMessage("Newton's start has no energy."));
-
+    auto state = loaded.at(start);
     NewtonResult<dim> result{start, {}, {}};
+    if (!state)
+      {
+        result.failure =
+          "the displacement of the supports leaves it without an "
+          "energy";
+        return result;
+      }
     for (unsigned int step = 0; step < max_steps; ++step)
       {
         const double leftover = state->leftover.l2_norm();
-        result.residuals.push_back(leftover / load);
+        result.residuals.push_back(leftover);
         const double rounding = loaded.linearise(*state);
-        if (leftover <= std::max(tolerance * load, rounding))
+        if (leftover <= std::max(tolerance, rounding))
           return result;
 
         const auto direction = loaded.direction(*state);

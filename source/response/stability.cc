@@ -10,15 +10,14 @@ namespace springfit
   {
     using SparseMatrix = Eigen::SparseMatrix<double>;
 
-    /** The rows and columns of the nodes that are not fixed. */
+    /** The rows and columns of what is not held. */
     SparseMatrix
-    free_part(const SparseMatrix &matrix, const std::vector<bool> &fixed)
+    free_part(const SparseMatrix &matrix, const std::vector<bool> &held)
     {
-      const Eigen::Index dim  = matrix.rows() / fixed.size();
       Eigen::Index n_unknowns = 0;
       std::vector<Eigen::Index> unknown(matrix.rows(), -1);
       for (Eigen::Index row = 0; row < matrix.rows(); ++row)
-        if (!fixed[row / dim])
+        if (!held[row])
           unknown[row] = n_unknowns++;
 
       std::vector<Eigen::Triplet<double>> entries;
@@ -38,7 +37,7 @@ namespace springfit
   unsigned int
   n_unstable_motions(const ElasticBody &body,
                      const Eigen::MatrixXd &displacement,
-                     const std::vector<bool> &fixed)
+                     const std::vector<bool> &held)
   {
     if (!std::isfinite(body.energy(displacement)))
       return 1; // no state at all
@@ -48,7 +47,7 @@ namespace springfit
     body.add_tangent(displacement, tangent);
 
     const Eigen::SimplicialLDLT<SparseMatrix> factors(
-      free_part(tangent.matrix(), fixed));
+      free_part(tangent.matrix(), held));
     if (factors.info() != Eigen::Success)
       return 1; // a pivot vanished
     return (factors.vectorD().array() <= 0.).count();

@@ -126,7 +126,7 @@ namespace springfit
       constexpr unsigned int most_nodes = dim == 2 ? 50000 : 5000;
       if (discretization.n_nodes() <= most_nodes)
         if (const unsigned int n =
-              n_unstable_motions(body, displacement, discretization.fixed());
+              n_unstable_motions(body, displacement, discretization.held());
             n > 0)
           return "it is unstable (buckles), " + std::to_string(n) +
                  " of its motions release energy";
@@ -144,13 +144,13 @@ namespace springfit
     std::unique_ptr<Model>
     nonlinear_model(const Discretization<dim> &discretization,
                     const Element<dim> &element,
-                    std::unique_ptr<const ElasticBody> body,
+                    std::unique_ptr<const BodyOfMembers> body,
                     const InvertedCells inverted_cells,
                     const SolverFactory<dim> &make_solver,
                     const ModelWords &words,
                     const double tolerance)
     {
-      const ElasticBody &judged = *body;
+      const BodyOfMembers &judged = *body;
       const auto judge = [&discretization, &element, &judged, inverted_cells](
                            const Eigen::MatrixXd &displacement) {
         std::string objection;

@@ -32,77 +32,111 @@ namespace springfit
       return nodes;
     }
 
-    /** The positions of those nodes of a part that are held, dim x n in m. */
+    /** The supports of a part's nodes. */
+    struct HeldPoints
+    {
+      Eigen::MatrixXd points; // dim x n, m
+      HeldComponents held;
+    };
+
     template <int dim>
-    Eigen::MatrixXd
+    HeldPoints
     held_points(const std::set<unsigned int> &nodes,
                 const std::vector<bool> &held,
                 const std::vector<dealii::Point<dim>> &vertices)
     {
       std::vector<unsigned int> selected;
       for (const unsigned int v : nodes)
-        if (held[v])
-          selected.push_back(v);
-      Eigen::MatrixXd points(dim, selected.size());
+        for (int d = 0; d < dim; ++d)
+          if (held[dim * v + d])
+            {
+              selected.push_back(v);
+              break;
+            }
+      HeldPoints result{Eigen::MatrixXd(dim, selected.size()),
+                        HeldComponents(dim, selected.size())};
       for (unsigned int s = 0; s < selected.size(); ++s)
         for (int d = 0; d < dim; ++d)
-          points(d, s) = vertices[selected[s]][d];
-      return points;
+          {
+            result.points(d, s) = vertices[selected[s]][d];
+            result.held(d, s)   = held[dim * selected[s] + d];
+          }
+      return result;
+    }
+
+    template <int dim>
+    std::string
+    motion_left(const std::set<unsigned int> &nodes,
+                const std::vector<bool> &held,
+                const std::vector<dealii::Point<dim>> &vertices)
+    {
+      const auto [points, components] = held_points<dim>(nodes, held, vertices);
+      return free_rigid_motion(points, components);
+    }
+
+    template <int dim>
+    unsigned int
+    n_held(const std::set<unsigned int> &nodes, const std::vector<bool> &held)
+    {
+      unsigned int n = 0;
+      for (const unsigned int v : nodes)
+        n += std::find(held.begin() + dim * v,
+                       held.begin() + dim * (v + 1),
+                       true) != held.begin() + dim * (v + 1);
+      return n;
     }
   } // namespace
 
   template <int dim>
   void
   check_supports(const Mesh<dim> &mesh,
-                 const std::vector<bool> &fixed,
+                 const std::vector<bool> &held,
                  const std::string &entry)
   {
     const auto &vertices = mesh.triangulation.get_vertices();
     const auto parts     = nodes_of_parts(mesh.triangulation);
 
     // Parts that are held hold their neighbours, until nothing changes.
-    std::vector<bool> held_nodes = fixed;
+    std::vector<bool> held_by_all = held;
     std::vector<bool> part_is_held(parts.size(), false);
     for (bool changed = true; changed;)
       {
         changed = false;
         for (unsigned int p = 0; p < parts.size(); ++p)
           if (!part_is_held[p] &&
-              free_rigid_motion(
-                held_points<dim>(parts[p], held_nodes, vertices))
-                .empty())
+              motion_left<dim>(parts[p], held_by_all, vertices).empty())
             {
               part_is_held[p] = true;
               changed         = true;
               for (const unsigned int v : parts[p])
-                held_nodes[v] = true;
+                for (int d = 0; d < dim; ++d)
+                  held_by_all[dim * v + d] = true;
             }
       }
 
     for (unsigned int p = 0; p < parts.size(); ++p)
       if (!part_is_held[p])
         {
-          const auto points = held_points<dim>(parts[p], held_nodes, vertices);
-          const auto n_fixed =
-            std::count_if(parts[p].begin(),
-                          parts[p].end(),
-                          [&](const unsigned int v) { return fixed[v]; });
+          const unsigned int n = n_held<dim>(parts[p], held);
           throw EntryError(
             entry,
-            "the supports (" + std::to_string(n_fixed) + " fixed node" +
-              (n_fixed == 1 ? "" : "s") + ") leave " +
+            "the supports (" + std::to_string(n) + " fixed node" +
+              (n == 1 ? "" : "s") + ") leave " +
               (parts.size() == 1
                  ? "the object"
                  : "part " + std::to_string(p + 1) + " of the " +
                      std::to_string(parts.size()) +
                      " parts of the mesh that no common face connects") +
-              (points.cols() > n_fixed ? ", hinged to the others," : "") +
-              " free: " + free_rigid_motion(points) + '.',
+              (n_held<dim>(parts[p], held_by_all) > n
+                 ? ", hinged to the others,"
+                 : "") +
+              " free: " + motion_left<dim>(parts[p], held_by_all, vertices) +
+              '.',
             "Fix " +
               std::string(dim == 2 ? "two nodes"
                                    : "three nodes that are not on a line") +
-              " at least of each part, by 'Fixed boundaries' or 'Fixed "
-              "region', or connect the parts by faces.");
+              " at least of each part, by 'Fixed boundaries', 'Fixed region' "
+              "or 'Supports', or connect the parts by faces.");
         }
   }
 

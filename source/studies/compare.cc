@@ -3,14 +3,13 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/incomplete_error.h>
 #include <springfit/fit/methods.h>
-#include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
-#include <springfit/output/vtu.h>
 #include <springfit/reference/material_law.h>
 #include <springfit/response/network_body.h>
 #include <springfit/response/stability.h>
 #include <springfit/response/statics.h>
 #include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/comparison_files.h>
 #include <springfit/studies/responses.h>
 #include <springfit/studies/study.h>
 
@@ -20,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -42,7 +40,7 @@ namespace springfit
       const auto apparent =
         delivered_constants(*calibrated.mesh,
                             calibrated.element,
-                            loading.axis,
+                            loading.pull->axis,
                             displacement,
                             forces,
                             calibrated.materials.begin()->second.thickness);
@@ -57,11 +55,21 @@ namespace springfit
     {
       std::ostringstream text;
       text.precision(3);
-      text << "Loads: the pull is along (";
-      for (Eigen::Index d = 0; d < loading.axis.size(); ++d)
-        text << (d > 0 ? ", " : "")
-             << (std::abs(loading.axis[d]) < 1e-6 ? 0. : loading.axis[d]);
-      text << "), where the object measures " << loading.extent << " m.\n";
+      if (const auto &pull = loading.pull)
+        {
+          text << "Loads: the pull is along (";
+          for (Eigen::Index d = 0; d < pull->axis.size(); ++d)
+            text << (d > 0 ? ", " : "")
+                 << (std::abs(pull->axis[d]) < 1e-6 ? 0. : pull->axis[d]);
+          text << "), where the object measures " << pull->extent << " m.\n";
+        }
+      for (const auto &load_case : loading.cases)
+        if (!load_case.canned)
+          text << "Load case " << load_case.name << ": forces of ("
+               << load_case.load.forces.rowwise().sum().transpose().format(
+                    Eigen::IOFormat(3, 0, ", ", ", "))
+               << ") N in all, supports moved by up to "
+               << load_case.load.support.colwise().norm().maxCoeff() << " m.\n";
       return text.str();
     }
 
@@ -111,7 +119,7 @@ namespace springfit
           if (const unsigned int n = n_unstable_motions(
                 NetworkBody(network.network),
                 Eigen::MatrixXd::Zero(dim, network.network.nodes.cols()),
-                loading.fixed);
+                loading.held);
               n > 0)
             session.warn(
               "The springs of the fit '" + network.name +
@@ -126,7 +134,7 @@ namespace springfit
     {
       return std::find(loading.training.begin(),
                        loading.training.end(),
-                       load_case.load) != loading.training.end();
+                       load_case.name) != loading.training.end();
     }
 
     template <int dim>
@@ -141,20 +149,22 @@ namespace springfit
                            const Equilibrium &model,
                            const Kinematics kinematics) {
         ComparisonRow row{};
-        row.load_case  = word_of(load_words(), result.load_case.load);
+        row.load_case  = result.load_case.name;
         row.kinematics = word_of(kinematics_words(), kinematics);
         row.errors =
           error_norms(result.reference.displacement, model.displacement);
-        row.errors_where_loaded =
-          error_norms_where_loaded(result.reference.displacement,
-                                   model.displacement,
-                                   result.load_case.forces);
-        if (result.load_case.load == Load::tension)
+        if (!result.load_case.load.forces.isZero(0.))
+          row.errors_where_loaded =
+            error_norms_where_loaded(result.reference.displacement,
+                                     model.displacement,
+                                     result.load_case.load.forces);
+        if (result.load_case.canned == Load::tension)
           row.delivered = delivered(scene,
                                     calibrated,
                                     loading,
-                                    result.load_case.forces,
+                                    result.load_case.load.forces,
                                     model.displacement);
+        row.reactions   = forces_of_supports(loading, model.reactions);
         row.n_nodes     = mesh.triangulation.n_vertices();
         row.n_cells     = mesh.triangulation.n_active_cells();
         row.fem_seconds = result.reference.seconds;
@@ -199,15 +209,22 @@ namespace springfit
       char text[200];
       std::snprintf(text,
                     sizeof(text),
-                    "%-12s %-32s %-10s %8.3g %8.3g %8.3g %8.3g",
+                    "%-12s %-32s %-10s %8.3g %8.3g",
                     row.load_case.c_str(),
                     name_of(row.fit, row.enrichment).c_str(),
                     row.kinematics.c_str(),
                     row.errors.e_rms_percent,
-                    row.errors.e_max_percent,
-                    row.errors_where_loaded.e_rms_percent,
-                    row.errors_where_loaded.e_max_percent);
+                    row.errors.e_max_percent);
       std::string line = text;
+      if (const auto &loaded = row.errors_where_loaded)
+        {
+          std::snprintf(text,
+                        sizeof(text),
+                        " %8.3g %8.3g",
+                        loaded->e_rms_percent,
+                        loaded->e_max_percent);
+          line += text;
+        }
       if (row.delivered)
         {
           std::snprintf(text,
@@ -218,106 +235,6 @@ namespace springfit
           line += text;
         }
       return line;
-    }
-
-    std::string
-    suffix(const Kinematics kinematics)
-    {
-      return kinematics == Kinematics::nonlinear ? "_nonlinear" : "";
-    }
-
-    /** What did not reach the whole load is not to be taken for a result. */
-    std::string
-    suffix(const Equilibrium &equilibrium)
-    {
-      return is_complete(equilibrium) ? "" : "_incomplete";
-    }
-
-    template <int dim>
-    void
-    write_pictures(const std::filesystem::path &folder,
-                   const CalibratedScene<dim> &calibrated,
-                   const std::vector<CaseResult> &results)
-    {
-      // The series by their names, the springs' fields by network.
-      std::map<std::string, std::vector<std::pair<double, std::string>>> series;
-      std::vector<std::vector<NodalField>> spring_fields(
-        calibrated.networks.size());
-      const auto write = [&](const std::string &name,
-                             const std::size_t number,
-                             const std::string &load_case,
-                             const Equilibrium &equilibrium,
-                             const NodalField &field) {
-        if (equilibrium.load_fraction == 0.)
-          return; // nothing was found
-        const std::string file =
-          load_case + '_' + name + suffix(equilibrium) + ".vtu";
-        write_mesh_vtu(folder / file,
-                       *calibrated.mesh,
-                       {{"displacement", equilibrium.displacement}, field});
-        if (is_complete(equilibrium))
-          series[name].emplace_back(number, file);
-      };
-
-      for (std::size_t r = 0; r < results.size(); ++r)
-        {
-          const auto &result     = results[r];
-          const auto &reference  = result.reference;
-          const std::string name = word_of(load_words(), result.load_case.load);
-          write("fem", r, name, reference, {"force", result.load_case.forces});
-          for (const auto &response : result.networks)
-            {
-              const auto &equilibrium = response.equilibrium;
-              const auto &network     = calibrated.networks[response.network];
-              const std::string kind  = suffix(response.kinematics);
-              write(network.name + kind,
-                    r,
-                    name,
-                    equilibrium,
-                    {"error",
-                     nodal_errors(reference.displacement,
-                                  equilibrium.displacement)
-                       .transpose()});
-              if (is_complete(equilibrium))
-                spring_fields[response.network].push_back(
-                  {"displacement_" + name + kind, equilibrium.displacement});
-            }
-        }
-      for (const auto &[name, files] : series)
-        write_pvd(folder / (name + ".pvd"), files);
-      for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
-        write_springs_vtu<dim>(folder / ("springs_" +
-                                         calibrated.networks[n].name + ".vtu"),
-                               calibrated.networks[n].network,
-                               spring_fields[n]);
-    }
-
-    /** <case>_fem.csv and <case>_<fit>.csv, where the whole load is borne. */
-    template <int dim>
-    void
-    write_responses(const std::filesystem::path &folder,
-                    const CalibratedScene<dim> &calibrated,
-                    const Loading &loading,
-                    const std::vector<CaseResult> &results)
-    {
-      for (const auto &result : results)
-        {
-          const auto write = [&](const std::string &name,
-                                 const Equilibrium &equilibrium) {
-            if (is_complete(equilibrium))
-              write_response(folder /
-                               (word_of(load_words(), result.load_case.load) +
-                                '_' + name + ".csv"),
-                             loading.fixed,
-                             result.load_case.forces,
-                             equilibrium.displacement);
-          };
-          write("fem", result.reference);
-          for (const auto &response : result.networks)
-            write(calibrated.networks[response.network].name +
-                    suffix(response.kinematics),
-                  response.equilibrium);
-        }
     }
 
     /** One column per load case that fits are made with, m. */
@@ -343,9 +260,8 @@ namespace springfit
       const auto collect = [&](const CaseResult &result,
                                const Equilibrium &equilibrium) {
         if (!is_complete(equilibrium))
-          failures.push_back("Load case " +
-                             word_of(load_words(), result.load_case.load) +
-                             ": " + equilibrium.failure);
+          failures.push_back("Load case " + result.load_case.name + ": " +
+                             equilibrium.failure);
       };
       for (const auto &result : results)
         {
@@ -369,11 +285,11 @@ namespace springfit
   void
   compare(const Scene<dim> &scene, Session &session)
   {
-    auto calibrated = make_scene(scene, session);
-    const auto loading =
-      scene.loads.resolve(*calibrated.mesh,
-                          calibrated.element,
-                          calibrated.materials.begin()->second.thickness);
+    auto calibrated    = make_scene(scene, session);
+    const auto loading = scene.loads.resolve(*calibrated.mesh,
+                                             calibrated.element,
+                                             calibrated.materials);
+    scene.loads.check_supports(*calibrated.mesh, loading);
     session.print(describe(loading));
     warn_of_kinematics(scene.statics, session);
     auto results = find_references(scene, calibrated, loading, session);
@@ -400,6 +316,7 @@ namespace springfit
       dealii::TimerOutput::Scope scope(session.timer(), "Output");
       run_on_root(session.communicator(), [&]() {
         write_comparison(session.draft(), rows);
+        write_reactions(session.draft(), rows);
         write_pictures(session.draft(), calibrated, results);
         write_responses(session.draft(), calibrated, loading, results);
       });
@@ -407,7 +324,7 @@ namespace springfit
     check_completeness(results, session.output_directory());
     const std::string first =
       calibrated.networks.front().name +
-      suffix(results.front().networks.front().kinematics);
+      suffix_of(results.front().networks.front().kinematics);
     session.say_at_the_end("comparison.csv is the table above; open " + first +
                            ".pvd and fem.pvd in ParaView and apply Warp By "
                            "Vector.");

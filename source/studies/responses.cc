@@ -13,7 +13,32 @@ namespace springfit
 {
   namespace
   {
-    /** Forces such that the linear finite elements deform as asked. */
+    /**
+     * The factor of a canned load such that the linear finite elements deform
+     * as asked; 1 of another one.
+     *
+     * @param displacement theirs under the load as it is
+     * @throws EntryError when it moves nothing.
+     */
+    double
+    scale_of(const LoadCase &load_case,
+             const Loading &loading,
+             const Eigen::MatrixXd &displacement)
+    {
+      const double largest = largest_displacement(displacement);
+      if (!(largest > 0.))
+        throw EntryError("Loads/Cases",
+                         "the load '" + load_case.name + "' moves nothing.",
+                         load_case.canned
+                           ? "Load another boundary."
+                           : "Load something that is not held; where loads "
+                             "depend on t, set 'Time' in section Loads.");
+      return load_case.canned
+               ? loading.pull->deformation * loading.pull->extent / largest
+               : 1.;
+    }
+
+    /** All cases scaled, with the response of the linear finite elements. */
     template <int dim>
     std::vector<CaseResult>
     scale_cases(const Scene<dim> &scene,
@@ -26,19 +51,14 @@ namespace springfit
                                              calibrated.element,
                                              calibrated.materials);
       std::vector<CaseResult> results;
-      for (const auto &unit : loading.cases)
+      for (const auto &load_case : loading.cases)
         {
-          CaseResult result{unit, {}, model->respond(unit.forces), {}};
-          const double largest =
-            largest_displacement(result.reference.displacement);
-          if (!(largest > 0.))
-            throw EntryError("Loads/Cases",
-                             "the load '" + word_of(load_words(), unit.load) +
-                               "' moves nothing.",
-                             "Load another boundary.");
-          const double scale = loading.deformation * loading.extent / largest;
-          result.load_case.forces *= scale;
+          CaseResult result{load_case, {}, model->respond(load_case.load), {}};
+          const double scale =
+            scale_of(load_case, loading, result.reference.displacement);
+          result.load_case.load.forces *= scale;
           result.reference.displacement *= scale;
+          result.reference.reactions *= scale;
           result.linear_displacement = result.reference.displacement;
           results.push_back(result);
         }
@@ -51,8 +71,7 @@ namespace springfit
                     Session &session)
     {
       if (!is_complete(equilibrium))
-        session.warn("Load case " +
-                     word_of(load_words(), result.load_case.load) + ": " +
+        session.warn("Load case " + result.load_case.name + ": " +
                      equilibrium.failure);
     }
 
@@ -72,7 +91,7 @@ namespace springfit
                         session.is_root());
       for (auto &result : results)
         {
-          result.reference = model->respond(result.load_case.forces);
+          result.reference = model->respond(result.load_case.load);
           warn_of_failure(result, result.reference, session);
           progress.step();
         }
@@ -82,11 +101,10 @@ namespace springfit
     Equilibrium
     nothing_found(const LoadCase &load_case, const RunError &error)
     {
-      return {Eigen::MatrixXd::Zero(load_case.forces.rows(),
-                                    load_case.forces.cols()),
-              0.,
-              0.,
-              error.what()};
+      const Eigen::MatrixXd nothing =
+        Eigen::MatrixXd::Zero(load_case.load.forces.rows(),
+                              load_case.load.forces.cols());
+      return {nothing, 0., nothing, 0., error.what()};
     }
 
     /** A failure of one network leaves the results of the others. */
@@ -111,7 +129,7 @@ namespace springfit
                                             network.network,
                                             network.name,
                                             kinematics);
-            return model->respond(load_case.forces);
+            return model->respond(load_case.load);
           }
         catch (const RunError &error)
           {
@@ -169,18 +187,41 @@ namespace springfit
                   Session &session)
   {
     const Discretization<dim> discretization(*calibrated.mesh,
-                                             loading.fixed,
+                                             loading.held,
                                              session.communicator());
-    if (loading.deformation > 1.)
-      session.warn("The loads shall deform the object by " +
-                   std::to_string(std::lround(100. * loading.deformation)) +
-                   " % of its extent: 'Deformation' in section Loads is a "
-                   "fraction, 0.1 means 10 %.");
+    if (loading.pull && loading.pull->deformation > 1.)
+      session.warn(
+        "The loads shall deform the object by " +
+        std::to_string(std::lround(100. * loading.pull->deformation)) +
+        " % of its extent: 'Deformation' in section Loads is a "
+        "fraction, 0.1 means 10 %.");
     dealii::TimerOutput::Scope scope(session.timer(), "Finite elements");
     auto results = scale_cases(scene, discretization, calibrated, loading);
     if (scene.statics.material_law() != MaterialLaw::linear)
       solve_reference(scene, discretization, calibrated, session, results);
     return results;
+  }
+
+  template <int dim>
+  void
+  scale_canned_cases(const Scene<dim> &scene,
+                     const CalibratedScene<dim> &calibrated,
+                     Session &session,
+                     Loading &loading)
+  {
+    const Discretization<dim> discretization(*calibrated.mesh,
+                                             loading.held,
+                                             session.communicator());
+    const auto model =
+      scene.statics.linear_finite_elements(discretization,
+                                           calibrated.element,
+                                           calibrated.materials);
+    for (auto &load_case : loading.cases)
+      if (load_case.canned)
+        load_case.load.forces *=
+          scale_of(load_case,
+                   loading,
+                   model->respond(load_case.load).displacement);
   }
 
   template <int dim>
@@ -192,7 +233,7 @@ namespace springfit
                  Session &session)
   {
     const Discretization<dim> discretization(*calibrated.mesh,
-                                             loading.fixed,
+                                             loading.held,
                                              session.communicator());
     solve_networks(scene, discretization, calibrated, session, results);
   }
@@ -207,6 +248,16 @@ namespace springfit
                      const CalibratedScene<3> &,
                      const Loading &,
                      Session &);
+  template void
+  scale_canned_cases<2>(const Scene<2> &,
+                        const CalibratedScene<2> &,
+                        Session &,
+                        Loading &);
+  template void
+  scale_canned_cases<3>(const Scene<3> &,
+                        const CalibratedScene<3> &,
+                        Session &,
+                        Loading &);
   template void
   find_responses<2>(const Scene<2> &,
                     const CalibratedScene<2> &,

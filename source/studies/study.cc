@@ -1,4 +1,5 @@
 #include <springfit/core/error.h>
+#include <springfit/studies/moving_models.h>
 #include <springfit/studies/study.h>
 
 namespace springfit
@@ -6,12 +7,30 @@ namespace springfit
   const WordTable<StudyKind> &
   study_words()
   {
-    static const WordTable<StudyKind> table = {{StudyKind::calibrate,
-                                                "calibrate"},
-                                               {StudyKind::compare, "compare"},
-                                               {StudyKind::sweep, "sweep"}};
+    static const WordTable<StudyKind> table = {
+      {StudyKind::calibrate, "calibrate"},
+      {StudyKind::compare, "compare"},
+      {StudyKind::sweep, "sweep"},
+      {StudyKind::dynamics, "dynamics"}};
     return table;
   }
+
+  namespace
+  {
+    /** What can be known of a motion before it begins. */
+    template <int dim>
+    void
+    check_motion(const Scene<dim> &scene)
+    {
+      const auto settings = scene.dynamics.settings();
+      for (const auto &obstacle : scene.contact.obstacles())
+        for (const double time : {settings.begin, settings.end})
+          obstacle.at(time);
+      const auto factor = load_factor<dim>(settings);
+      for (const double time : {settings.begin, settings.end})
+        factor.value({}, time);
+    }
+  } // namespace
 
   template <int dim>
   void
@@ -45,6 +64,16 @@ namespace springfit
                              "compare.");
           scene.sweep_range.check(scene.material);
           break;
+        case StudyKind::dynamics:
+          if (scene.fit.needs_responses())
+            throw EntryError("Fit/Fields",
+                             "'responses' are those of statics.",
+                             "Set 'Study = compare', or leave them out.");
+          scene.loads.check();
+          scene.statics.check();
+          scene.fit.check_states(scene.statics.material_law());
+          check_motion(scene);
+          break;
       }
   }
 
@@ -60,6 +89,8 @@ namespace springfit
           return compare(scene, session);
         case StudyKind::sweep:
           return sweep(scene, session);
+        case StudyKind::dynamics:
+          return dynamics(scene, session);
       }
   }
 

@@ -98,6 +98,16 @@ namespace springfit::oracle
     return nodes;
   }
 
+  /** A flag per unknown of flags per node. */
+  inline std::vector<bool>
+  unknowns_of(const unsigned int dim, const std::vector<bool> &nodes)
+  {
+    std::vector<bool> unknowns;
+    for (const bool flag : nodes)
+      unknowns.insert(unknowns.end(), dim, flag);
+    return unknowns;
+  }
+
   /** The nodes of a cell in the columns of nodes_of(). */
   template <int dim>
   std::vector<unsigned int>

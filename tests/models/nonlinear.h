@@ -71,7 +71,7 @@ namespace springfit::oracle
   };
 
   inline DenseState
-  evaluate(const ElasticBody &body, const Eigen::MatrixXd &u)
+  evaluate(const BodyOfMembers &body, const Eigen::MatrixXd &u)
   {
     DenseState state;
     state.energy = body.energy(u);
@@ -92,7 +92,7 @@ namespace springfit::oracle
 
   /** Forces and tangent against central differences in random directions. */
   inline void
-  check_derivatives(const ElasticBody &body,
+  check_derivatives(const BodyOfMembers &body,
                     const Eigen::MatrixXd &u,
                     const double size,
                     Random &random)
@@ -137,7 +137,7 @@ namespace springfit::oracle
    * among them; of a rank without nodes there is nothing.
    */
   inline void
-  check_shares(const ElasticBody &body,
+  check_shares(const BodyOfMembers &body,
                const Eigen::MatrixXd &u,
                Random &random)
   {
@@ -241,7 +241,7 @@ namespace springfit::oracle
 
   template <int dim>
   void
-  check_rigid_rotation(const ElasticBody &body,
+  check_rigid_rotation(const BodyOfMembers &body,
                        const Eigen::MatrixXd &nodes,
                        Random &random)
   {

@@ -246,13 +246,15 @@ namespace
   template <int dim>
   void
   check_distributed(const Mesh<dim> &mesh,
-                    const ElasticBody &body,
+                    const BodyOfMembers &body,
                     const Eigen::MatrixXd &u)
   {
     std::vector<bool> fixed;
     for (Eigen::Index v = 0; v < u.cols(); ++v)
       fixed.push_back(v % 3 == 1);
-    const Discretization<dim> discretization(mesh, fixed, MPI_COMM_SELF);
+    const Discretization<dim> discretization(mesh,
+                                             unknowns_of(dim, fixed),
+                                             MPI_COMM_SELF);
     DistributedBody<dim> distributed(discretization, body);
     const auto state = evaluate(body, u);
     EXPECT_NEAR(distributed.energy(u),

@@ -54,7 +54,7 @@ namespace
     return n_unstable_motions(NetworkBody(network),
                               Eigen::MatrixXd::Zero(network.nodes.rows(),
                                                     network.nodes.cols()),
-                              fixed);
+                              oracle::unknowns_of(network.nodes.rows(), fixed));
   }
 
   /** A bar without lateral contraction stretches by F L / (E A). */
@@ -68,26 +68,27 @@ namespace
     const auto element = make_element<dim>(mesh->cell_kind);
     const auto loads   = oracle::make_step<Loads<dim>>(
       "subsection Loads\n set Cases = tension\n" + fixed_1_loaded_2);
-    const auto loading = loads->resolve(*mesh, element, h);
+    const auto loading =
+      loads->resolve(*mesh, element, one_material<dim>(E, 0., h));
     const auto statics = oracle::make_step<Statics<dim>>(
       "subsection Response\n set Solver = " + solver +
       "\n set Tolerance = 1e-13\nend");
     const Discretization<dim> discretization(*mesh,
-                                             loading.fixed,
+                                             loading.held,
                                              MPI_COMM_SELF);
-    const auto forces = loading.cases.front().forces;
+    const auto load = loading.cases.front().load;
     const auto u =
       statics
         ->finite_elements(discretization, element, one_material<dim>(E, 0., h))
-        ->respond(forces)
+        ->respond(load)
         .displacement;
 
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(dim, u.cols());
     expected.row(0)          = nodes_of(*mesh).row(0) / E; // 1 Pa
     EXPECT_LT((u - expected).norm(), 1e-9 * expected.norm());
 
-    const auto delivered =
-      delivered_constants(*mesh, element, loading.axis, u, forces, h);
+    const auto delivered = delivered_constants(
+      *mesh, element, loading.pull->axis, u, load.forces, h);
     // In space the slab is cut from plane-faced simplices, which the faces of
     // moved vertices are not quite.
     EXPECT_NEAR(delivered->youngs_modulus, E, (dim == 2 ? 1e-7 : 1e-3) * E);
@@ -117,9 +118,8 @@ TEST(Springs, TangentIsTheSumOverSprings)
   const auto network = springs_at_rest(nodes_of(*mesh),
                                        {{{0, 1}}, {{0, 2}}, {{1, 2}}},
                                        Eigen::Vector3d(3., 5., 7.));
-  const Discretization<2> discretization(*mesh,
-                                         {true, false, true},
-                                         MPI_COMM_SELF);
+  const Discretization<2> discretization(
+    *mesh, oracle::unknowns_of(2, {true, false, true}), MPI_COMM_SELF);
   const auto statics     = oracle::make_step<Statics<2>>("");
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 3);
   forces.col(1) << 0.2, 0.1;
@@ -127,7 +127,7 @@ TEST(Springs, TangentIsTheSumOverSprings)
   const auto u =
     statics
       ->springs(discretization, element, network, "test", Kinematics::linear)
-      ->respond(forces)
+      ->respond(load_of_forces(forces))
       .displacement;
   Eigen::Matrix2d K;
   K << 3. + 3.5, -3.5, -3.5, 3.5;
@@ -144,9 +144,8 @@ TEST(Springs, AMechanismIsRefused)
   const auto network = springs_at_rest(nodes_of(*mesh),
                                        {{{0, 1}}, {{0, 2}}, {{1, 3}}, {{2, 3}}},
                                        Eigen::Vector4d::Ones());
-  const Discretization<2> discretization(*mesh,
-                                         {true, true, false, false},
-                                         MPI_COMM_SELF);
+  const Discretization<2> discretization(
+    *mesh, oracle::unknowns_of(2, {true, true, false, false}), MPI_COMM_SELF);
   Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(2, 4);
   forces.row(0) << 0., 0., 1., 1.;
   const auto element = make_element<2>(mesh->cell_kind);
@@ -154,7 +153,7 @@ TEST(Springs, AMechanismIsRefused)
   EXPECT_THROW(
     statics
       ->springs(discretization, element, network, "test", Kinematics::linear)
-      ->respond(forces),
+      ->respond(load_of_forces(forces)),
     RunError);
 }
 
@@ -297,15 +296,16 @@ TEST(Loads, BalanceTheTractionOfOnePascal)
   const auto loads   = oracle::make_step<Loads<3>>(
     "subsection Loads\n set Cases = tension, compression, shear, torsion\n" +
     fixed_1_loaded_2);
-  const auto loading = loads->resolve(*mesh, element, 1.);
-  const auto nodes   = nodes_of(*mesh);
-  EXPECT_EQ(std::count(loading.fixed.begin(), loading.fixed.end(), true), 16);
-  EXPECT_NEAR(loading.extent, L, 1e-15);
-  EXPECT_LT((loading.axis - Eigen::Vector3d::UnitX()).norm(), 1e-12);
+  const auto loading =
+    loads->resolve(*mesh, element, one_material<3>(1e4, 0.3, 1.));
+  const auto nodes = nodes_of(*mesh);
+  EXPECT_EQ(std::count(loading.held.begin(), loading.held.end(), true), 48);
+  EXPECT_NEAR(loading.pull->extent, L, 1e-15);
+  EXPECT_LT((loading.pull->axis - Eigen::Vector3d::UnitX()).norm(), 1e-12);
 
   const double F   = L * L;
   const auto total = [&](const int c) {
-    return Eigen::Vector3d(loading.cases[c].forces.rowwise().sum());
+    return Eigen::Vector3d(loading.cases[c].load.forces.rowwise().sum());
   };
   EXPECT_LT((total(0) - Eigen::Vector3d(F, 0., 0.)).norm(), 1e-12 * F);
   EXPECT_LT((total(1) + total(0)).norm(), 1e-12 * F);
@@ -317,8 +317,8 @@ TEST(Loads, BalanceTheTractionOfOnePascal)
   // area.
   double torque = 0.;
   for (Eigen::Index v = 0; v < nodes.cols(); ++v)
-    torque += (nodes(1, v) - L / 2.) * loading.cases[3].forces(2, v) -
-              (nodes(2, v) - L / 2.) * loading.cases[3].forces(1, v);
+    torque += (nodes(1, v) - L / 2.) * loading.cases[3].load.forces(2, v) -
+              (nodes(2, v) - L / 2.) * loading.cases[3].load.forces(1, v);
   const double h     = L / 3.;
   const double exact = F * (L * L / 6. + h * h / 3.) / (L / std::sqrt(2.));
   EXPECT_NEAR(torque, exact, 1e-10 * exact);
@@ -333,11 +333,12 @@ TEST(Loads, RegionsSelectNodesAndFaces)
     oracle::make_step<Loads<2>>("subsection Loads\n set Cases = shear\n"
                                 " set Fixed region = y < 1e-6 and x < 0.51\n"
                                 " set Loaded region = y > 0.999\nend");
-  const auto loading = loads->resolve(*mesh, element, 0.1);
-  EXPECT_EQ(std::count(loading.fixed.begin(), loading.fixed.end(), true), 3);
-  EXPECT_LT((loading.axis - Eigen::Vector2d::UnitY()).norm(), 1e-12);
-  EXPECT_NEAR(std::abs(loading.cases[0].forces.row(0).sum()), 0.1, 1e-12);
-  EXPECT_NEAR(loading.cases[0].forces.row(1).norm(), 0., 1e-15);
+  const auto loading =
+    loads->resolve(*mesh, element, one_material<2>(1e4, 0.3, 0.1));
+  EXPECT_EQ(std::count(loading.held.begin(), loading.held.end(), true), 6);
+  EXPECT_LT((loading.pull->axis - Eigen::Vector2d::UnitY()).norm(), 1e-12);
+  EXPECT_NEAR(std::abs(loading.cases[0].load.forces.row(0).sum()), 0.1, 1e-12);
+  EXPECT_NEAR(loading.cases[0].load.forces.row(1).norm(), 0., 1e-15);
 }
 
 TEST(Loads, RefuseWhatCannotStandOrIsNotLoaded)
@@ -350,7 +351,9 @@ TEST(Loads, RefuseWhatCannotStandOrIsNotLoaded)
       "subsection Loads\n set Loaded boundaries = 2\n" + entries + "\nend");
     try
       {
-        loads->resolve(*mesh, element, 1.);
+        const auto loading =
+          loads->resolve(*mesh, element, one_material<3>(1e4, 0.3, 1.));
+        loads->check_supports(*mesh, loading);
         return "";
       }
     catch (const EntryError &error)

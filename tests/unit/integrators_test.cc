@@ -2,6 +2,7 @@
 // conserved, a support that moves.
 
 #include <springfit/core/error.h>
+#include <springfit/motion/contact.h>
 #include <springfit/motion/direct_step_system.h>
 #include <springfit/motion/integrators.h>
 #include <springfit/motion/largest_mode.h>
@@ -283,4 +284,81 @@ TEST(Integrators, refuse_a_step_that_does_not_converge)
   for (const std::string name : {"implicit Euler", "trapezoidal rule"})
     EXPECT_THROW(steps().at(name)(example.body, system, 0.1, example.state),
                  RunError);
+}
+
+TEST(Integrators, damp_by_dampers_as_theory_says)
+{
+  // One damper along the spring: c x' beside k x.
+  const double frequency = std::sqrt(stiffness / mass), time = 2., c = 0.24;
+  for (const auto &[name, step] : steps())
+    {
+      SCOPED_TRACE(name);
+      Example example      = oscillator();
+      example.body.dampers = {c, {{{0, 1}}}, Eigen::MatrixXd::Zero(3, 2)};
+      example.body.dampers.nodes(0, 1) = 1.;
+      example.state.velocity(0, 1)     = 0.1;
+      example.run(step, time, 20000);
+      const double decay = 0.5 * c / mass;
+      const double omega = std::sqrt(frequency * frequency - decay * decay);
+      EXPECT_NEAR(example.state.displacement(0, 1),
+                  0.1 / omega * std::exp(-decay * time) *
+                    std::sin(omega * time),
+                  2e-5);
+    }
+}
+
+TEST(Integrators, bounce_off_obstacles_as_half_an_oscillation)
+{
+  // A mass of speed v meets a stiffness k: it is inside for pi sqrt(m / k) and
+  // leaves with - v. The way through a plane is that through a sphere's pole.
+  const double k = 50., speed = 0.4;
+  Plane floor{Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()};
+  Sphere ball{Eigen::Vector3d(0., 0., -2.), 2.};
+  for (const Shape &shape : {Shape(floor), Shape(ball)})
+    for (const auto &[name, step] : steps())
+      {
+        SCOPED_TRACE(name);
+        Example example(Eigen::MatrixXd::Zero(3, 1), {});
+        const Obstacle obstacle{"", [&](double) { return shape; }, k};
+        example.body.loads = [&](const MotionState &state,
+                                 Eigen::MatrixXd &forces) {
+          add_contact_forces(obstacle, state.displacement, state.time, forces);
+        };
+        example.body.load_stiffness = [&](const MotionState &state,
+                                          Eigen::MatrixXd &blocks) {
+          add_contact_stiffness(obstacle,
+                                state.displacement,
+                                state.time,
+                                blocks);
+        };
+        example.state.displacement(2, 0) = 0.1;
+        example.state.velocity(2, 0)     = -speed;
+        const double inside              = M_PI * std::sqrt(mass / k);
+        const double time                = 0.25 + inside + 0.25;
+        example.run(step, time, 40000);
+        EXPECT_NEAR(example.state.velocity(2, 0), speed, 2e-3 * speed);
+        EXPECT_NEAR(example.state.displacement(2, 0), 0.1, 2e-3 * 0.1);
+      }
+}
+
+TEST(Integrators, move_a_consistent_mass)
+{
+  // A bar of two masses, M = m [2 1; 1 2] / 6 each component, free at one end:
+  // the free end's frequency is sqrt(k / (m / 3)).
+  const double frequency = std::sqrt(3. * stiffness / mass), time = 2.;
+  for (const auto &[name, step] : steps())
+    {
+      if (name == "symplectic Euler")
+        continue; // which has lumped masses
+      SCOPED_TRACE(name);
+      Example example = oscillator();
+      Eigen::MatrixXd M(2, 2);
+      M << 2., 1., 1., 2.;
+      example.body.consistent_mass = (mass / 6. * M).sparseView();
+      example.state.velocity(0, 1) = 0.1;
+      example.run(step, time, 20000);
+      EXPECT_NEAR(example.state.displacement(0, 1),
+                  0.1 / frequency * std::sin(frequency * time),
+                  5e-5);
+    }
 }

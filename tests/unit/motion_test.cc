@@ -34,11 +34,14 @@ namespace
                   const std::vector<bool> &held,
                   const double tolerance = 1e-3)
   {
+    std::vector<bool> unknowns;
+    for (const bool is_held : held)
+      unknowns.insert(unknowns.end(), network.nodes.rows(), is_held);
     return largest_mode(network.nodes.rows(),
                         product_at_rest(network),
                         Eigen::Map<const Eigen::VectorXd>(network.mass.data(),
                                                           network.mass.size()),
-                        held,
+                        unknowns,
                         tolerance);
   }
 

@@ -45,9 +45,12 @@ namespace springfit
     OutputFolder &
     operator=(const OutputFolder &) = delete;
 
-    /** Where to write this run's files. */
+    /** Where to write this run's files: after publish() the folder itself. */
     const std::filesystem::path &
     draft() const;
+
+    bool
+    is_published() const;
 
     /** False on file systems without locks. */
     bool
@@ -130,7 +133,7 @@ namespace springfit
     const std::filesystem::path beside_, inside_, moving_;
     std::filesystem::path draft_;
     Lock lock_, draft_lock_;
-    bool is_locked_ = false;
+    bool is_locked_ = false, is_published_ = false;
   };
 } // namespace springfit
 

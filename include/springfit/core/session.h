@@ -48,11 +48,15 @@ namespace springfit
     output_directory() const;
 
     /**
-     * Where to write files until finish() puts them into the output folder. On
-     * the first rank only.
+     * Where to write files: a draft until publish() or finish() put them into
+     * the output folder, then that. On the first rank only.
      */
     const std::filesystem::path &
     draft() const;
+
+    /** Whether they are there already. All ranks must call it. */
+    bool
+    is_published() const;
 
     /** A line, or several, for the screen and the log. */
     void
@@ -73,6 +77,15 @@ namespace springfit
     /** What to open in the output folder: the last line of a run. */
     void
     say_at_the_end(const std::string &what_to_open);
+
+    /**
+     * Put the files of this run into the output folder, before its end: what is
+     * written from now on is there at once. All ranks must call it.
+     *
+     * @throws RunError as finish() does.
+     */
+    void
+    publish();
 
     /**
      * Write the table of times and the largest memory of any rank to the log,

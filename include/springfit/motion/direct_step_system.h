@@ -16,24 +16,27 @@ namespace springfit
     DirectStepSystem(int dim, const MovingBody &body);
 
     void
-    linearise(const Eigen::MatrixXd &displacement) override;
+    linearise(const MotionState &state) override;
 
     Eigen::MatrixXd
     stiffness_product(const Eigen::MatrixXd &u) const override;
 
     Eigen::MatrixXd
-    solve(double mass_factor,
-          double stiffness_factor,
-          const Eigen::MatrixXd &forces) override;
+    solve(const StepFactors &factors, const Eigen::MatrixXd &forces) override;
 
   private:
+    void
+    factorise(const StepFactors &factors);
+
     const int dim_;
     const MovingBody &body_;
-    TangentMatrix tangent_;
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
 
-    // Of the factors; none are there while both are 0.
-    double mass_factor_ = 0., stiffness_factor_ = 0.;
+    // All of one pattern.
+    TangentMatrix tangent_, mass_, load_stiffness_, dampers_;
+
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+    bool are_factorised_ = false;
+    StepFactors of_factors_{};
   };
 } // namespace springfit
 

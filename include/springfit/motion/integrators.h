@@ -17,7 +17,8 @@ namespace springfit
   };
 
   // Each goes on from the state by one step of @p step seconds. Held unknowns
-  // follow their support; their velocity is its difference quotient.
+  // follow their support; their velocity is its difference quotient, of the
+  // step in the methods of first order.
 
   /**
    * v += h a(x, v), x += h v: explicit, of first order, symplectic without
@@ -65,7 +66,10 @@ namespace springfit
   GeneralisedAlpha
   newmark(double beta, double gamma);
 
-  /** The acceleration in which a motion begins: that of the forces there. */
+  /**
+   * The acceleration in which a motion begins: that of the forces there; what
+   * is held keeps its own.
+   */
   void
   set_acceleration(const MovingBody &body,
                    StepSystem &system,

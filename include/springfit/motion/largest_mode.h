@@ -37,8 +37,8 @@ namespace springfit
    * symmetric eigenvalue problem, chapter 13), from a fixed start.
    *
    * @param stiffness symmetric, N/m; negative eigenvalues are passed over
-   * @param mass of each node, kg, positive where it is not held
-   * @param held a flag per node: it does not move
+   * @param mass of each node, kg, positive
+   * @param held a flag per unknown, dim * v + d: it does not move
    * @param tolerance for the residual relative to the eigenvalue
    */
   LargestMode

@@ -8,6 +8,19 @@
 namespace springfit
 {
   /**
+   * What each part of a body weighs in the matrix of a step. They are those of
+   * M, of the elastic tangent K, of the loads' stiffness, and of the dampers.
+   */
+  struct StepFactors
+  {
+    double mass;
+    double stiffness;
+    double load_stiffness;
+    double dampers;
+  };
+
+
+  /**
    * What an implicit step asks for: products with the tangent stiffness K at a
    * state, and solutions with sums of the masses M and K.
    */
@@ -16,23 +29,22 @@ namespace springfit
   public:
     virtual ~StepSystem() = default;
 
-    /** K is that at @p displacement from now on. */
+    /** All matrices are those at this state from now on. */
     virtual void
-    linearise(const Eigen::MatrixXd &displacement) = 0;
+    linearise(const MotionState &state) = 0;
 
-    /** K u, N */
+    /** K u, N, of the elastic tangent alone. */
     virtual Eigen::MatrixXd
     stiffness_product(const Eigen::MatrixXd &u) const = 0;
 
     /**
-     * y of (mass_factor M + stiffness_factor K) y = @p forces, 0 where held.
+     * y of (the sum of the matrices, each times its factor) y = @p forces, 0
+     * where held.
      *
      * @throws RunError when the matrix is singular.
      */
     virtual Eigen::MatrixXd
-    solve(double mass_factor,
-          double stiffness_factor,
-          const Eigen::MatrixXd &forces) = 0;
+    solve(const StepFactors &factors, const Eigen::MatrixXd &forces) = 0;
   };
 } // namespace springfit
 

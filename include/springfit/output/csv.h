@@ -42,6 +42,10 @@ namespace springfit
     CsvTable &
     exactly(double number);
 
+    /** All rows, each ended, which the table does not have any more. */
+    std::string
+    take_rows();
+
     /** @throws RunError when the file cannot be written. */
     void
     write(const std::filesystem::path &path) const;

@@ -20,16 +20,19 @@ namespace springfit
 
   /**
    * A load case as numbers that read back as the same doubles: a row per node
-   * with whether it is held (0 or 1), its force in N and its displacement in m
-   * (z = 0 in 2-d).
+   * with whether all of its components are held (0 or 1), its force in N and
+   * its displacement in m, whether each component is held, and the force of the
+   * supports on it in N (z = 0 in 2-d).
    *
-   * @param forces, displacement dim x n_nodes
+   * @param held a flag per unknown, dim * v + d
+   * @param forces, displacement, reactions dim x n_nodes
    */
   void
   write_response(const std::filesystem::path &path,
-                 const std::vector<bool> &fixed,
+                 const std::vector<bool> &held,
                  const Eigen::MatrixXd &forces,
-                 const Eigen::MatrixXd &displacement);
+                 const Eigen::MatrixXd &displacement,
+                 const Eigen::MatrixXd &reactions);
 } // namespace springfit
 
 #endif

@@ -3,6 +3,7 @@
 
 #include <springfit/comparison/errors.h>
 #include <springfit/comparison/homogenised_tensor.h>
+#include <springfit/response/load_case.h>
 #include <springfit/springs/network.h>
 
 #include <filesystem>
@@ -20,11 +21,12 @@ namespace springfit
     std::string enrichment;
     std::string kinematics;
     ErrorNorms errors;
-    ErrorNorms errors_where_loaded;
+    std::optional<ErrorNorms> errors_where_loaded; // if nodes are loaded
 
     /** Whether the fit was made with the response to this load. */
     bool is_trained;
     std::optional<YoungPoisson> delivered; // of the tension case
+    std::vector<ForceOfSupport> reactions;
     unsigned int n_nodes;
     unsigned int n_cells;
     unsigned int n_springs;
@@ -57,6 +59,11 @@ namespace springfit
   void
   write_comparison(const std::filesystem::path &folder,
                    const std::vector<ComparisonRow> &rows);
+
+  /** reactions.csv: a row per support of each row of comparison.csv. */
+  void
+  write_reactions(const std::filesystem::path &folder,
+                  const std::vector<ComparisonRow> &rows);
 
   /** fit.csv */
   void

@@ -20,7 +20,7 @@ namespace springfit
 {
   /**
    * The unknowns that both models share: dim displacements at every node of
-   * the mesh, held at the fixed ones, divided among the ranks.
+   * the mesh, held where there are supports, divided among the ranks.
    */
   template <int dim>
   class Discretization
@@ -29,9 +29,12 @@ namespace springfit
     using Vector = dealii::TrilinosWrappers::MPI::Vector;
     using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
-    /** @p fixed has a flag per node. @p mesh must outlive the object. */
+    /**
+     * @p held has a flag per unknown, dim * v + d for component d of node v.
+     * @p mesh must outlive the object.
+     */
     Discretization(const Mesh<dim> &mesh,
-                   const std::vector<bool> &fixed,
+                   const std::vector<bool> &held,
                    MPI_Comm communicator);
 
     const Mesh<dim> &
@@ -44,9 +47,9 @@ namespace springfit
     unsigned int
     n_nodes() const;
 
-    /** A flag per node. */
+    /** A flag per unknown, dim * v + d. */
     const std::vector<bool> &
-    fixed() const;
+    held() const;
 
     const dealii::AffineConstraints<double> &
     constraints() const;
@@ -65,7 +68,7 @@ namespace springfit
     void
     initialize(Matrix &matrix) const;
 
-    /** dim x n_nodes on every rank to a vector; 0 where nodes are fixed. */
+    /** dim x n_nodes on every rank to a vector; 0 where it is held. */
     Vector
     to_vector(const Eigen::MatrixXd &nodal) const;
 
@@ -75,7 +78,7 @@ namespace springfit
 
   private:
     const Mesh<dim> &mesh_;
-    const std::vector<bool> fixed_;
+    const std::vector<bool> held_;
     const MPI_Comm communicator_;
     dealii::DoFHandler<dim> dof_handler_;
     std::vector<dealii::types::global_dof_index> dofs_; // dim * v + d

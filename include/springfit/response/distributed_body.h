@@ -25,21 +25,21 @@ namespace springfit
 
     /** @p discretization must outlive the object. */
     DistributedBody(const Discretization<dim> &discretization,
-                    const ElasticBody &body);
+                    const BodyOfMembers &body);
 
     /** J; not finite where the body has none or no derivatives. */
     double
     energy(const Eigen::MatrixXd &displacement) const;
 
-    /** The forces of the body in N; zero where nodes are fixed. */
+    /** The forces of the body in N; zero where it is held. */
     Vector
     forces(const Eigen::MatrixXd &displacement) const;
 
-    /** The tangent stiffness; rows of fixed nodes become diagonal. */
+    /** The tangent stiffness; rows of what is held become diagonal. */
     void
     tangent(const Eigen::MatrixXd &displacement, Matrix &tangent);
 
-    /** See ElasticBody::add_convex_tangent. */
+    /** See BodyOfMembers::add_convex_tangent. */
     void
     convex_tangent(const Eigen::MatrixXd &displacement, Matrix &tangent);
 
@@ -57,7 +57,7 @@ namespace springfit
     distribute(Matrix &matrix) const;
 
     const Discretization<dim> &discretization_;
-    const std::unique_ptr<const ElasticBody> share_;
+    const std::unique_ptr<const BodyOfMembers> share_;
     TangentMatrix of_share_;
   };
 } // namespace springfit

@@ -11,8 +11,8 @@
 namespace springfit
 {
   /**
-   * What both models are to statics: an elastic energy of the displacements of
-   * nodes (dim x n_nodes, m), and its derivatives.
+   * What all models are to statics and in motion: an elastic energy of the
+   * displacements of nodes (dim x n_nodes, m), and its derivatives.
    */
   class ElasticBody
   {
@@ -30,30 +30,46 @@ namespace springfit
     add_forces(const Eigen::MatrixXd &displacement,
                Eigen::MatrixXd &forces) const = 0;
 
+    /** Add the Hessian of the energy times @p u (m) to @p product (N). */
+    virtual void
+    add_tangent_product(const Eigen::MatrixXd &displacement,
+                        const Eigen::MatrixXd &u,
+                        Eigen::MatrixXd &product) const = 0;
+
     /** Add the Hessian of the energy, N/m. */
     virtual void
     add_tangent(const Eigen::MatrixXd &displacement,
                 TangentMatrix &tangent) const = 0;
 
+    /** The nodes that have entries in the tangent with each other. */
+    virtual void
+    add_to_pattern(NodePattern &pattern) const = 0;
+  };
+
+
+  /** A body that is a sum of springs or cells. */
+  class BodyOfMembers : public ElasticBody
+  {
+  public:
     /**
-     * The same with the negative eigenvalues of each spring's or cell's Hessian
-     * left out: positive semidefinite, so that its Newton step leads downhill
-     * everywhere (Teran, Sifakis, Irving and Fedkiw 2005).
+     * The same as add_tangent() with the negative eigenvalues of each spring's
+     * or cell's Hessian left out: positive semidefinite, so that its Newton
+     * step leads downhill everywhere (Teran, Sifakis, Irving and Fedkiw 2005).
      */
     virtual void
     add_convex_tangent(const Eigen::MatrixXd &displacement,
                        TangentMatrix &tangent) const = 0;
 
-    /** The nodes that have entries in the tangent with each other. */
-    virtual void
-    add_to_pattern(NodePattern &pattern) const = 0;
-
     /**
      * The part of the body whose springs or cells have their first node among
      * those flagged: the parts of all ranks together are the body.
      */
-    virtual std::unique_ptr<const ElasticBody>
+    virtual std::unique_ptr<const BodyOfMembers>
     share(const std::vector<bool> &nodes) const = 0;
+
+    /** The springs or cells that have any node among those flagged. */
+    virtual std::unique_ptr<const BodyOfMembers>
+    touching(const std::vector<bool> &nodes) const = 0;
   };
 } // namespace springfit
 

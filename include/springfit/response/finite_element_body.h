@@ -18,7 +18,7 @@ namespace springfit
 {
   /** The finite elements of a mesh as a body. */
   template <int dim>
-  class FiniteElementBody : public ElasticBody
+  class FiniteElementBody : public BodyOfMembers
   {
   public:
     using Cell = typename CellEnergy<dim>::Cell;
@@ -42,6 +42,11 @@ namespace springfit
                Eigen::MatrixXd &forces) const override;
 
     void
+    add_tangent_product(const Eigen::MatrixXd &displacement,
+                        const Eigen::MatrixXd &u,
+                        Eigen::MatrixXd &product) const override;
+
+    void
     add_tangent(const Eigen::MatrixXd &displacement,
                 TangentMatrix &tangent) const override;
 
@@ -52,8 +57,11 @@ namespace springfit
     void
     add_to_pattern(NodePattern &pattern) const override;
 
-    std::unique_ptr<const ElasticBody>
+    std::unique_ptr<const BodyOfMembers>
     share(const std::vector<bool> &nodes) const override;
+
+    std::unique_ptr<const BodyOfMembers>
+    touching(const std::vector<bool> &nodes) const override;
 
   private:
     /** Calls @p f with the energy term of each cell; of finite energy. */

@@ -4,6 +4,7 @@
 #include <springfit/response/discretization.h>
 #include <springfit/response/elastic_body.h>
 #include <springfit/response/linear_solver.h>
+#include <springfit/response/members_at_supports.h>
 #include <springfit/response/model.h>
 
 #include <memory>
@@ -17,16 +18,17 @@ namespace springfit
   public:
     /** @throws RunError, in @p words, when the stiffness is singular. */
     LinearModel(const Discretization<dim> &discretization,
-                const ElasticBody &body,
+                const BodyOfMembers &body,
                 const SolverFactory<dim> &make_solver,
                 const ModelWords &words);
 
     Equilibrium
-    respond(const Eigen::MatrixXd &forces) const override;
+    respond(const NodalLoad &load) const override;
 
   private:
     const Discretization<dim> &discretization_;
     const ModelWords words_;
+    const MembersAtSupports<dim> at_supports_;
     typename Discretization<dim>::Matrix stiffness_;
     std::unique_ptr<LinearSolver<dim>> solver_;
     double seconds_; // of assembly and factors

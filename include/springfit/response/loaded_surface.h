@@ -45,13 +45,13 @@ namespace springfit
     double
     radius() const;
 
-    /** One flag per node of the mesh. */
-    std::vector<bool>
-    nodes(unsigned int n_nodes) const;
+    /** The integrals of the nodes' shape functions over it, m^2 (2-d: m). */
+    Eigen::VectorXd
+    shares(unsigned int n_nodes) const;
 
     /**
-     * The nodal forces of a traction, the traction at node a times the integral
-     * of N_a, in N (N/m in 2-d: not yet multiplied by a thickness), dim x
+     * The nodal forces of a traction, the traction at node a times its share,
+     * in N (N/m in 2-d: not yet multiplied by a thickness), dim x
      * n_nodes. They are the consistent forces where the traction is uniform;
      * where it varies, its product with N_a is integrated by the nodal rule
      * that gives the lumped masses too.

@@ -3,7 +3,9 @@
 
 #include <springfit/mesh/mesh.h>
 #include <springfit/reference/element.h>
+#include <springfit/reference/material.h>
 #include <springfit/response/load_case.h>
+#include <springfit/response/own_loads.h>
 
 #include <deal.II/base/parameter_acceptor.h>
 
@@ -12,7 +14,7 @@
 
 namespace springfit
 {
-  /** The section "Loads": what is held, what is pulled, and how. */
+  /** The section "Loads": what is held, what acts on it, and how. */
   template <int dim>
   class Loads : public dealii::ParameterAcceptor
   {
@@ -20,23 +22,31 @@ namespace springfit
     Loads();
 
     /**
-     * The supports and the nodal forces of a traction of 1 Pa (at its largest)
-     * on the loaded part of the boundary (in 2-d times @p thickness in m).
+     * The supports and the load cases on a mesh.
      *
-     * The axis of the pull is the mean outward normal of the loaded part. The
-     * traction is uniform along it (tension), against it (compression), or
-     * along the coordinate direction most perpendicular to it (shear); for
-     * torsion it is the axis times the distance vector from the loaded part's
-     * centroid, divided by the extent of that part.
+     * A canned case is the nodal forces of a traction of 1 Pa on the loaded
+     * part of the boundary, see unit_traction(), in 2-d times the thickness of
+     * @p materials. The axis of the pull is the mean outward normal of the
+     * loaded part.
      *
-     * @throws EntryError when a boundary or region is empty or unknown, or
-     * when every loaded node is fixed; InputError when the supports leave a
-     * rigid motion free, with the motion named.
+     * @p mesh must outlive the result.
+     *
+     * @throws EntryError when a boundary or region is empty or unknown, when
+     * or when every loaded node is fixed.
      */
     Loading
     resolve(const Mesh<dim> &mesh,
             const Element<dim> &element,
-            double thickness) const;
+            const MaterialTable &materials) const;
+
+    /**
+     * For statics.
+     *
+     * @throws EntryError when the supports leave a rigid motion free, with the
+     * motion named.
+     */
+    void
+    check_supports(const Mesh<dim> &mesh, const Loading &loading) const;
 
     /**
      * Check the values that can be judged without a mesh; for the studies that
@@ -50,7 +60,7 @@ namespace springfit
   private:
     /**
      * A part of the boundary is given by its boundaries or by a region, or else
-     * it is the boundary @p otherwise.
+     * it is the boundary @p otherwise, unless that is empty.
      *
      * @throws EntryError when both are given.
      */
@@ -60,15 +70,37 @@ namespace springfit
              const std::string &region,
              const std::string &otherwise);
 
+    /** What the entries that are left empty mean, through the entries. */
+    void
+    complete();
+
+    OwnLoads<dim>
+    own_loads() const;
+
+    /** The names of all cases of an entry. */
+    std::vector<std::string>
+    cases_of(const std::string &words, const std::string &entry) const;
+
+    /** @throws EntryError when one of them is not among the cases. */
+    std::vector<std::string>
+    training_cases() const;
+
+    bool
+    has_canned_cases() const;
+
+    /** The nodes of 'Fixed boundaries' or of the region; none of both. */
     std::vector<bool>
     fixed_nodes(const Mesh<dim> &mesh) const;
 
-    std::vector<Load>
-    cases() const;
+    std::string
+    entry_of_supports() const;
 
-    /** @throws EntryError when one of them is not among the cases. */
-    std::vector<Load>
-    training_cases() const;
+    /** Fill in the canned cases and their pull. */
+    void
+    add_canned(const Mesh<dim> &mesh,
+               const Element<dim> &element,
+               double thickness,
+               Loading &loading) const;
 
     std::string cases_word_;
     std::string training_word_;
@@ -77,6 +109,8 @@ namespace springfit
     std::string fixed_region_;
     std::string loaded_region_;
     double deformation_ = 0.1;
+    OwnLoadTexts own_;
+    double time_ = 0.;
   };
 } // namespace springfit
 

@@ -1,6 +1,8 @@
 #ifndef springfit_response_model_h
 #define springfit_response_model_h
 
+#include <springfit/response/load_case.h>
+
 #include <Eigen/Core>
 
 #include <string>
@@ -16,6 +18,12 @@ namespace springfit
   {
     Eigen::MatrixXd displacement; // m, dim x n_nodes
     double seconds;
+
+    /**
+     * The forces of the supports on the body, N, dim x n_nodes; 0 where it is
+     * free.
+     */
+    Eigen::MatrixXd reactions;
 
     /**
      * The part of the load that it holds: 1, or less where no equilibrium was
@@ -41,12 +49,12 @@ namespace springfit
     virtual ~Model() = default;
 
     /**
-     * The equilibrium under @p forces (N, dim x n_nodes). Collective.
+     * The equilibrium under a load. Collective.
      *
      * @throws RunError when a model that cannot follow a load has none.
      */
     virtual Equilibrium
-    respond(const Eigen::MatrixXd &forces) const = 0;
+    respond(const NodalLoad &load) const = 0;
   };
 } // namespace springfit
 

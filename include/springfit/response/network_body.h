@@ -12,7 +12,7 @@
 namespace springfit
 {
   /** Families of springs as a body. */
-  class NetworkBody : public ElasticBody
+  class NetworkBody : public BodyOfMembers
   {
   public:
     explicit NetworkBody(const SpringNetwork &network);
@@ -28,6 +28,11 @@ namespace springfit
                Eigen::MatrixXd &forces) const override;
 
     void
+    add_tangent_product(const Eigen::MatrixXd &displacement,
+                        const Eigen::MatrixXd &u,
+                        Eigen::MatrixXd &product) const override;
+
+    void
     add_tangent(const Eigen::MatrixXd &displacement,
                 TangentMatrix &tangent) const override;
 
@@ -38,10 +43,18 @@ namespace springfit
     void
     add_to_pattern(NodePattern &pattern) const override;
 
-    std::unique_ptr<const ElasticBody>
+    std::unique_ptr<const BodyOfMembers>
     share(const std::vector<bool> &nodes) const override;
 
+    std::unique_ptr<const BodyOfMembers>
+    touching(const std::vector<bool> &nodes) const override;
+
   private:
+    /** Of the members whose nodes (from a place on, so many) are wanted. */
+    template <typename Condition>
+    std::unique_ptr<const BodyOfMembers>
+    part(const Condition &is_wanted) const;
+
     const Eigen::MatrixXd nodes_;
     const Families families_;
   };

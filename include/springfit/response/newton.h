@@ -18,7 +18,7 @@ namespace springfit
   {
     Eigen::MatrixXd displacement; // m, dim x n_nodes
 
-    /** The forces left over before each step and at the end, relative. */
+    /** The forces left over before each step and at the end, N. */
     std::vector<double> residuals;
 
     /** Empty when it converged; otherwise why not, without a full stop. */
@@ -33,9 +33,9 @@ namespace springfit
    * differences of the energy drown in rounding, a step that halves the forces
    * left over is accepted as well.
    *
-   * @param forces f, zero where nodes are fixed; not all zero
-   * @param tolerance for the norm of the forces left over, relative to f; as
-   * much as rounding errors leave over is accepted too, be it more
+   * @param forces f, zero where it is held
+   * @param tolerance for the norm of the forces left over, N; as much as
+   * rounding errors leave over is accepted too, be it more
    */
   template <int dim>
   NewtonResult<dim>

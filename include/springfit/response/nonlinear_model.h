@@ -15,9 +15,10 @@
 namespace springfit
 {
   /**
-   * A body's response with all nonlinearities of its energy: the load grows in
-   * steps that adapt, each solved by Newton's method, along equilibria that are
-   * stable and that the judge accepts.
+   * A body's response with all nonlinearities of its energy: the load, with the
+   * displacement of the supports, grows in steps that adapt, each solved by
+   * Newton's method, along equilibria that are stable and that the judge
+   * accepts.
    */
   template <int dim>
   class NonlinearModel : public Model
@@ -31,7 +32,7 @@ namespace springfit
      * @param tolerance the forces left over, relative to the load
      */
     NonlinearModel(const Discretization<dim> &discretization,
-                   std::unique_ptr<const ElasticBody> body,
+                   std::unique_ptr<const BodyOfMembers> body,
                    const SolverFactory<dim> &make_solver,
                    const ModelWords &words,
                    Judge judge,
@@ -42,11 +43,11 @@ namespace springfit
      * it that was, and says why not more.
      */
     Equilibrium
-    respond(const Eigen::MatrixXd &forces) const override;
+    respond(const NodalLoad &load) const override;
 
   private:
     const Discretization<dim> &discretization_;
-    const std::unique_ptr<const ElasticBody> body_;
+    const std::unique_ptr<const BodyOfMembers> body_;
     const SolverFactory<dim> make_solver_;
     const ModelWords words_;
     const Judge judge_;

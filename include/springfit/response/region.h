@@ -1,10 +1,10 @@
 #ifndef springfit_response_region_h
 #define springfit_response_region_h
 
-#include <deal.II/base/function_parser.h>
+#include <springfit/response/expression.h>
+
 #include <deal.II/base/point.h>
 
-#include <memory>
 #include <string>
 
 namespace springfit
@@ -29,9 +29,7 @@ namespace springfit
     contains(const dealii::Point<dim> &point) const;
 
   private:
-    const std::string expression_;
-    const std::string entry_;
-    std::unique_ptr<dealii::FunctionParser<dim>> function_;
+    const Expression<dim> condition_;
   };
 } // namespace springfit
 

@@ -17,12 +17,12 @@ namespace springfit
    * springs of negative stiffness, or of much compression, can make it
    * unstable.
    *
-   * @p fixed has a flag per node.
+   * @p held has a flag per unknown, dim * v + d for component d of node v.
    */
   unsigned int
   n_unstable_motions(const ElasticBody &body,
                      const Eigen::MatrixXd &displacement,
-                     const std::vector<bool> &fixed);
+                     const std::vector<bool> &held);
 } // namespace springfit
 
 #endif

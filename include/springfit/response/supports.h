@@ -12,17 +12,18 @@ namespace springfit
    * Check that supports hold a mesh: that no part of it can move rigidly.
    *
    * A part are cells that hang together by faces (edges in 2-d): where cells
-   * meet in fewer nodes they are hinged. A part is held by its own fixed nodes
-   * and by those that it shares with parts that are held already.
+   * meet in fewer nodes they are hinged. A part is held by its own supports and
+   * by the nodes that it shares with parts that are held already.
    *
-   * @p fixed has a flag per node; @p entry names the parameter in the error.
+   * @p held has a flag per unknown, dim * v + d for component d of node v;
+   * @p entry names the parameter in the error.
    *
    * @throws EntryError naming the motion that is left.
    */
   template <int dim>
   void
   check_supports(const Mesh<dim> &mesh,
-                 const std::vector<bool> &fixed,
+                 const std::vector<bool> &held,
                  const std::string &entry);
 } // namespace springfit
 

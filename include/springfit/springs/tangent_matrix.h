@@ -45,7 +45,8 @@ namespace springfit
     void
     add(const unsigned int a, const unsigned int b, const Block &block)
     {
-      constexpr int dim   = Block::RowsAtCompileTime;
+      constexpr int dim = Block::RowsAtCompileTime;
+      static_assert(dim > 0, "The size of the block is not fixed.");
       const int *row      = matrix_.innerIndexPtr();
       const int *column   = matrix_.outerIndexPtr() + dim * b;
       const int *position = std::lower_bound(row + column[0],

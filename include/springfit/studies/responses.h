@@ -44,10 +44,10 @@ namespace springfit
   }
 
   /**
-   * Scale every load case to the deformation that the user asks of the linear
-   * finite elements, and find the equilibrium of the finite elements under it.
-   * The networks of @p calibrated are not used. What does not reach the whole
-   * load is warned of.
+   * Scale every canned load case to the deformation that the user asks of the
+   * linear finite elements, and find the equilibrium of the finite elements
+   * under it. The networks of @p calibrated are not used. What does not reach
+   * the whole load is warned of.
    */
   template <int dim>
   std::vector<CaseResult>
@@ -55,6 +55,18 @@ namespace springfit
                   const CalibratedScene<dim> &calibrated,
                   const Loading &loading,
                   Session &session);
+
+  /**
+   * The scaling alone, of the cases of @p loading. Collective.
+   *
+   * @throws EntryError when a load moves nothing.
+   */
+  template <int dim>
+  void
+  scale_canned_cases(const Scene<dim> &scene,
+                     const CalibratedScene<dim> &calibrated,
+                     Session &session,
+                     Loading &loading);
 
   /** Then that of all networks. */
   template <int dim>

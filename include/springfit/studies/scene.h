@@ -3,6 +3,8 @@
 
 #include <springfit/calibration/fit_section.h>
 #include <springfit/mesh/geometry.h>
+#include <springfit/motion/contact_section.h>
+#include <springfit/motion/dynamics.h>
 #include <springfit/reference/material.h>
 #include <springfit/response/loads.h>
 #include <springfit/response/statics.h>
@@ -27,6 +29,8 @@ namespace springfit
     FitSection<dim> fit;
     Loads<dim> loads;
     Statics<dim> statics;
+    Dynamics<dim> dynamics;
+    Contact<dim> contact;
     SweepRange<dim> sweep_range;
   };
 } // namespace springfit

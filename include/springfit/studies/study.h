@@ -12,7 +12,8 @@ namespace springfit
   {
     calibrate,
     compare,
-    sweep
+    sweep,
+    dynamics
   };
 
   const WordTable<StudyKind> &
@@ -45,6 +46,14 @@ namespace springfit
   template <int dim>
   void
   compare(const Scene<dim> &scene, Session &session);
+
+  /**
+   * The springs and the finite elements in motion under the same loads, beside
+   * each other, with tables and series that grow while it runs.
+   */
+  template <int dim>
+  void
+  dynamics(const Scene<dim> &scene, Session &session);
 
   /**
    * What a single cell delivers in a tensile test, over the material's

@@ -1,0 +1,51 @@
+#ifndef springfit_studies_moving_models_h
+#define springfit_studies_moving_models_h
+
+#include <springfit/response/expression.h>
+#include <springfit/response/load_case.h>
+#include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/moving_model.h>
+#include <springfit/studies/scene.h>
+
+#include <memory>
+#include <vector>
+
+namespace springfit
+{
+  /**
+   * What a load case does over time: its own loads, or a canned one's times the
+   * load factor, and all obstacles.
+   *
+   * @throws EntryError when something is wrong at the beginning.
+   */
+  template <int dim>
+  Excitation
+  make_excitation(const Scene<dim> &scene,
+                  const CalibratedScene<dim> &calibrated,
+                  const Loading &loading,
+                  const LoadCase &load_case,
+                  const DynamicsSettings<dim> &settings);
+
+  /**
+   * What the settings make of canned cases over time.
+   *
+   * @throws EntryError when the expression cannot be understood.
+   */
+  template <int dim>
+  Expression<dim>
+  load_factor(const DynamicsSettings<dim> &settings);
+
+  /**
+   * All models that move: the finite elements first, where they are wanted,
+   * then each network with each kinematics. Obstacles without a stiffness are
+   * given one, of the first model. @p excitation must outlive them.
+   */
+  template <int dim>
+  std::vector<std::unique_ptr<MovingModel>>
+  make_moving_models(const Scene<dim> &scene,
+                     const CalibratedScene<dim> &calibrated,
+                     const DynamicsSettings<dim> &settings,
+                     Excitation &excitation);
+} // namespace springfit
+
+#endif

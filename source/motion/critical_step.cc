@@ -1,0 +1,33 @@
+#include <springfit/motion/critical_step.h>
+#include <springfit/motion/largest_mode.h>
+
+#include <cmath>
+
+namespace springfit
+{
+  CriticalStep
+  critical_step(const MovingBody &body, const Eigen::MatrixXd &displacement)
+  {
+    const int dim             = displacement.rows();
+    const LargestMode fastest = largest_mode(
+      dim,
+      [&](const Eigen::MatrixXd &u, Eigen::MatrixXd &product) {
+        product.setZero();
+        body.elastic->add_tangent_product(displacement, u, product);
+      },
+      body.mass,
+      body.held);
+    RayleighDamping damping = body.damping;
+    if (are_there(body.dampers))
+      damping.mass_factor +=
+        largest_mode(
+          dim,
+          [&](const Eigen::MatrixXd &u, Eigen::MatrixXd &product) {
+            product = damper_product(body.dampers, displacement, u);
+          },
+          body.mass,
+          body.held)
+          .square;
+    return {stable_step(damping, std::sqrt(fastest.square)), fastest.shape};
+  }
+} // namespace springfit

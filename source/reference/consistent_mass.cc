@@ -1,0 +1,54 @@
+#include <springfit/core/cell_kind.h>
+#include <springfit/reference/consistent_mass.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <vector>
+
+namespace springfit
+{
+  template <int dim>
+  Eigen::SparseMatrix<double>
+  consistent_mass(const Mesh<dim> &mesh,
+                  const Element<dim> &element,
+                  const MaterialTable &materials)
+  {
+    const dealii::Quadrature<dim> quadrature =
+      is_simplex(mesh.cell_kind)
+        ? dealii::Quadrature<dim>(dealii::QGaussSimplex<dim>(2))
+        : dealii::Quadrature<dim>(dealii::QGauss<dim>(2));
+    dealii::FEValues<dim> values(*element.mapping,
+                                 *element.scalar,
+                                 quadrature,
+                                 dealii::update_values |
+                                   dealii::update_JxW_values);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        values.reinit(cell);
+        const CellMaterial &material = materials.at(cell->material_id());
+        const double factor = material.constants.density * material.thickness;
+        for (const unsigned int a : values.dof_indices())
+          for (const unsigned int b : values.dof_indices())
+            {
+              double entry = 0.;
+              for (const unsigned int q : values.quadrature_point_indices())
+                entry += values.shape_value(a, q) * values.shape_value(b, q) *
+                         values.JxW(q);
+              entries.emplace_back(cell->vertex_index(a),
+                                   cell->vertex_index(b),
+                                   factor * entry);
+            }
+      }
+    const unsigned int n = mesh.triangulation.n_vertices();
+    Eigen::SparseMatrix<double> mass(n, n);
+    mass.setFromTriplets(entries.begin(), entries.end());
+    return mass;
+  }
+
+  template Eigen::SparseMatrix<double>
+  consistent_mass(const Mesh<2> &, const Element<2> &, const MaterialTable &);
+  template Eigen::SparseMatrix<double>
+  consistent_mass(const Mesh<3> &, const Element<3> &, const MaterialTable &);
+} // namespace springfit

@@ -1,0 +1,29 @@
+#include <springfit/reference/cell_matrices.h>
+#include <springfit/reference/nodal_masses.h>
+
+namespace springfit
+{
+  template <int dim>
+  Eigen::VectorXd
+  nodal_masses(const Mesh<dim> &mesh,
+               const Element<dim> &element,
+               const MaterialTable &materials)
+  {
+    CellMatrices<dim> matrices(element);
+    Eigen::VectorXd masses =
+      Eigen::VectorXd::Zero(mesh.triangulation.n_vertices());
+    for (const auto &cell : mesh.triangulation.active_cell_iterators())
+      {
+        const Eigen::VectorXd of_cell =
+          matrices.masses(cell, materials.at(cell->material_id()));
+        for (const unsigned int v : cell->vertex_indices())
+          masses[cell->vertex_index(v)] += of_cell[v];
+      }
+    return masses;
+  }
+
+  template Eigen::VectorXd
+  nodal_masses(const Mesh<2> &, const Element<2> &, const MaterialTable &);
+  template Eigen::VectorXd
+  nodal_masses(const Mesh<3> &, const Element<3> &, const MaterialTable &);
+} // namespace springfit

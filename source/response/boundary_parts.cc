@@ -1,0 +1,95 @@
+#include <springfit/core/words.h>
+#include <springfit/mesh/boundaries.h>
+#include <springfit/response/boundary_parts.h>
+#include <springfit/response/region.h>
+
+namespace springfit
+{
+  namespace
+  {
+    template <int dim, typename Condition>
+    Faces<dim>
+    selected_faces(const Mesh<dim> &mesh, const Condition &condition)
+    {
+      Faces<dim> faces;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && condition(cell->face(f)))
+            faces.push_back({cell, f});
+      return faces;
+    }
+  } // namespace
+
+  template <int dim>
+  Faces<dim>
+  faces_of_boundaries(const Mesh<dim> &mesh,
+                      const std::string &boundaries,
+                      const std::string &entry)
+  {
+    const auto ids = find_boundaries(mesh, split_at_commas(boundaries), entry);
+    return selected_faces(mesh, [&](const auto &face) {
+      return ids.count(face->boundary_id()) > 0;
+    });
+  }
+
+  template <int dim>
+  Faces<dim>
+  faces_where(const Mesh<dim> &mesh,
+              const std::string &condition,
+              const std::string &entry)
+  {
+    const Region<dim> region(condition, entry);
+    return selected_faces(mesh, [&](const auto &face) {
+      for (const unsigned int v : face->vertex_indices())
+        if (!region.contains(face->vertex(v)))
+          return false;
+      return true;
+    });
+  }
+
+  template <int dim>
+  std::vector<bool>
+  nodes_of_faces(const Mesh<dim> &mesh, const Faces<dim> &faces)
+  {
+    std::vector<bool> nodes(mesh.triangulation.n_vertices(), false);
+    for (const auto &[cell, number] : faces)
+      for (const unsigned int v : cell->face(number)->vertex_indices())
+        nodes[cell->face(number)->vertex_index(v)] = true;
+    return nodes;
+  }
+
+  template <int dim>
+  std::vector<bool>
+  nodes_where(const Mesh<dim> &mesh,
+              const std::string &condition,
+              const std::string &entry)
+  {
+    const Region<dim> region(condition, entry);
+    const auto &vertices = mesh.triangulation.get_vertices();
+    std::vector<bool> nodes(vertices.size());
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      nodes[v] = region.contains(vertices[v]);
+    return nodes;
+  }
+
+  template Faces<2>
+  faces_of_boundaries(const Mesh<2> &,
+                      const std::string &,
+                      const std::string &);
+  template Faces<2>
+  faces_where(const Mesh<2> &, const std::string &, const std::string &);
+  template std::vector<bool>
+  nodes_of_faces(const Mesh<2> &, const Faces<2> &);
+  template std::vector<bool>
+  nodes_where(const Mesh<2> &, const std::string &, const std::string &);
+  template Faces<3>
+  faces_of_boundaries(const Mesh<3> &,
+                      const std::string &,
+                      const std::string &);
+  template Faces<3>
+  faces_where(const Mesh<3> &, const std::string &, const std::string &);
+  template std::vector<bool>
+  nodes_of_faces(const Mesh<3> &, const Faces<3> &);
+  template std::vector<bool>
+  nodes_where(const Mesh<3> &, const std::string &, const std::string &);
+} // namespace springfit

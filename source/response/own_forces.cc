@@ -1,0 +1,167 @@
+#include <springfit/core/error.h>
+#include <springfit/response/boundary_parts.h>
+#include <springfit/response/loaded_surface.h>
+#include <springfit/response/own_forces.h>
+#include <springfit/response/statements.h>
+
+namespace springfit
+{
+  namespace
+  {
+    template <int dim>
+    std::vector<Expression<dim>>
+    vector_of(const std::vector<std::string> &values, const std::string &entry)
+    {
+      const std::string advice =
+        "Give " + std::to_string(dim) + " expressions of x, y, " +
+        (dim == 2 ? "t" : "z, t") + " between commas, such as " +
+        (dim == 2 ? "0, -2 * t." : "0, 0, -2 * t.");
+      if (values.size() != dim)
+        throw EntryError(entry,
+                         "there are " + std::to_string(values.size()) +
+                           " components of a vector in " + std::to_string(dim) +
+                           " dimensions.",
+                         advice);
+      std::vector<Expression<dim>> components;
+      for (const auto &value : values)
+        components.push_back(
+          Expression<dim>::of_place_and_time(value, entry, advice));
+      return components;
+    }
+
+    template <int dim>
+    LoadedSurface<dim>
+    surface_at(const std::string &place,
+               const Mesh<dim> &mesh,
+               const Element<dim> &element,
+               const std::string &entry)
+    {
+      const std::string condition = condition_of(place);
+      auto faces = condition.empty() ? faces_of_boundaries(mesh, place, entry)
+                                     : faces_where(mesh, condition, entry);
+      if (faces.empty())
+        throw EntryError(entry,
+                         "there is no boundary face at '" + place + "'.",
+                         "Lengths are in m, and all vertices of a face must "
+                         "meet a condition; widen it.");
+      return LoadedSurface<dim>(std::move(faces), element);
+    }
+  } // namespace
+
+  template <int dim>
+  std::vector<ForceStatement<dim>>
+  parse_forces(const std::string &text, const std::string &entry)
+  {
+    std::vector<ForceStatement<dim>> forces;
+    for (const auto &statement : parse_statements(text, entry))
+      forces.push_back({statement.load_case,
+                        statement.place,
+                        vector_of<dim>(statement.values, entry)});
+    return forces;
+  }
+
+  template <int dim>
+  std::vector<ForceStatement<dim>>
+  parse_field(const std::string &text, const std::string &entry)
+  {
+    const auto values = split_outside(text, ',');
+    if (values.empty())
+      return {};
+    return {{"", "", vector_of<dim>(values, entry)}};
+  }
+
+  template <int dim>
+  PlacedForce<dim>
+  placed_force(const ForceStatement<dim> &statement,
+               const Mesh<dim> &mesh,
+               const Element<dim> &element,
+               const std::string &entry)
+  {
+    const auto surface = surface_at(statement.place, mesh, element, entry);
+    return {surface.shares(mesh.triangulation.n_vertices()) / surface.area(),
+            statement.components};
+  }
+
+  template <int dim>
+  PlacedForce<dim>
+  placed_traction(const ForceStatement<dim> &statement,
+                  const Mesh<dim> &mesh,
+                  const Element<dim> &element,
+                  const double thickness,
+                  const std::string &entry)
+  {
+    const auto surface = surface_at(statement.place, mesh, element, entry);
+    return {thickness * surface.shares(mesh.triangulation.n_vertices()),
+            statement.components};
+  }
+
+  template <int dim>
+  PlacedForce<dim>
+  placed_acceleration(const ForceStatement<dim> &statement,
+                      const Eigen::VectorXd &masses)
+  {
+    return {masses, statement.components};
+  }
+
+  template <int dim>
+  Eigen::MatrixXd
+  forces_at(const std::vector<PlacedForce<dim>> &forces,
+            const Mesh<dim> &mesh,
+            const double time)
+  {
+    const auto &vertices   = mesh.triangulation.get_vertices();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(dim, vertices.size());
+    for (const auto &[weights, components] : forces)
+      for (int d = 0; d < dim; ++d)
+        if (components[d].depends_on_place())
+          {
+            for (unsigned int v = 0; v < vertices.size(); ++v)
+              if (weights[v] != 0.)
+                result(d, v) +=
+                  weights[v] * components[d].value(vertices[v], time);
+          }
+        else
+          result.row(d) +=
+            components[d].value(vertices[0], time) * weights.transpose();
+    return result;
+  }
+
+  template std::vector<ForceStatement<2>>
+  parse_forces(const std::string &, const std::string &);
+  template std::vector<ForceStatement<3>>
+  parse_forces(const std::string &, const std::string &);
+  template std::vector<ForceStatement<2>>
+  parse_field(const std::string &, const std::string &);
+  template std::vector<ForceStatement<3>>
+  parse_field(const std::string &, const std::string &);
+  template PlacedForce<2>
+  placed_force(const ForceStatement<2> &,
+               const Mesh<2> &,
+               const Element<2> &,
+               const std::string &);
+  template PlacedForce<3>
+  placed_force(const ForceStatement<3> &,
+               const Mesh<3> &,
+               const Element<3> &,
+               const std::string &);
+  template PlacedForce<2>
+  placed_traction(const ForceStatement<2> &,
+                  const Mesh<2> &,
+                  const Element<2> &,
+                  double,
+                  const std::string &);
+  template PlacedForce<3>
+  placed_traction(const ForceStatement<3> &,
+                  const Mesh<3> &,
+                  const Element<3> &,
+                  double,
+                  const std::string &);
+  template PlacedForce<2>
+  placed_acceleration(const ForceStatement<2> &, const Eigen::VectorXd &);
+  template PlacedForce<3>
+  placed_acceleration(const ForceStatement<3> &, const Eigen::VectorXd &);
+  template Eigen::MatrixXd
+  forces_at(const std::vector<PlacedForce<2>> &, const Mesh<2> &, double);
+  template Eigen::MatrixXd
+  forces_at(const std::vector<PlacedForce<3>> &, const Mesh<3> &, double);
+} // namespace springfit
