@@ -10,7 +10,8 @@ namespace springfit
 {
   namespace
   {
-    using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using Sparse       = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using SingleMatrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
 
     // Below this many a dense inverse is cheap.
     constexpr Eigen::Index coarsest = 300;
@@ -105,6 +106,47 @@ namespace springfit
           entry.valueRef() *= omega / diagonal[i];
       return tentative - smoothed;
     }
+
+    /** Of each row's entry on the diagonal among all entries. */
+    std::vector<int>
+    diagonal_positions(const SingleMatrix &A)
+    {
+      std::vector<int> positions;
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        {
+          const int *row = A.innerIndexPtr();
+          positions.push_back(std::lower_bound(row + A.outerIndexPtr()[i],
+                                               row + A.outerIndexPtr()[i + 1],
+                                               static_cast<int>(i)) -
+                              row);
+        }
+      return positions;
+    }
+
+    /**
+     * The entries from @p begin to @p end of a row times vectors. Four sums at
+     * once: an addition need not wait for the one before.
+     */
+    Eigen::Vector4f
+    row_product(const SingleMatrix &A,
+                const int begin,
+                const int end,
+                const Eigen::Matrix<float, 4, Eigen::Dynamic> &x)
+    {
+      const float *values    = A.valuePtr();
+      const int *columns     = A.innerIndexPtr();
+      Eigen::Vector4f sum[4] = {Eigen::Vector4f::Zero(),
+                                Eigen::Vector4f::Zero(),
+                                Eigen::Vector4f::Zero(),
+                                Eigen::Vector4f::Zero()};
+      int k                  = begin;
+      for (; k + 4 <= end; k += 4)
+        for (int l = 0; l < 4; ++l)
+          sum[l] += values[k + l] * x.col(columns[k + l]);
+      for (; k < end; ++k)
+        sum[0] += values[k] * x.col(columns[k]);
+      return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    }
   } // namespace
 
 
@@ -120,6 +162,7 @@ namespace springfit
         level.matrix           = A.cast<float>();
         level.inverse_diagonal = diagonal.cwiseInverse().cast<float>();
         level.x = level.b = level.r = Vectors::Zero(4, A.rows());
+        level.diagonal              = diagonal_positions(level.matrix);
         if (A.rows() <= coarsest)
           {
             levels_.push_back(std::move(level));
@@ -188,47 +231,31 @@ namespace springfit
 
     const Matrix &A      = level.matrix;
     const Eigen::Index n = A.rows();
-    const float *values  = A.valuePtr();
-    const int *columns   = A.innerIndexPtr();
     const int *rows      = A.outerIndexPtr();
-    using Node           = Eigen::Vector4f;
-    const auto relax     = [&](const Eigen::Index i, const int end) {
-      Node rest = level.b.col(i);
-      for (int k = rows[i]; k < end; ++k)
-        rest -= values[k] * level.x.col(columns[k]);
-      return rest;
-    };
 
-    // Forwards from zero: what is behind the diagonal does not count yet.
+    // Forwards from zero: what is behind the diagonal does not count yet, and
+    // is what is left over in the end.
+    const std::vector<int> &diagonal = level.diagonal;
     for (Eigen::Index i = 0; i < n; ++i)
-      {
-        Node rest = level.b.col(i);
-        for (int k = rows[i]; k < rows[i + 1] && columns[k] < i; ++k)
-          rest -= values[k] * level.x.col(columns[k]);
-        level.x.col(i) = level.inverse_diagonal[i] * rest;
-      }
+      level.x.col(i) =
+        level.inverse_diagonal[i] *
+        (level.b.col(i) - row_product(A, rows[i], diagonal[i], level.x));
     for (Eigen::Index i = 0; i < n; ++i)
-      level.r.col(i) = relax(i, rows[i + 1]);
+      level.r.col(i) = -row_product(A, diagonal[i] + 1, rows[i + 1], level.x);
 
-    Level &next     = levels_[l + 1];
-    const Matrix &R = level.restriction;
+    Level &next       = levels_[l + 1];
+    const Matrix &R   = level.restriction;
+    const int *coarse = R.outerIndexPtr();
     for (Eigen::Index i = 0; i < R.rows(); ++i)
-      {
-        Node sum = Node::Zero();
-        for (Matrix::InnerIterator entry(R, i); entry; ++entry)
-          sum += entry.value() * level.r.col(entry.col());
-        next.b.col(i) = sum;
-      }
+      next.b.col(i) = row_product(R, coarse[i], coarse[i + 1], level.r);
     cycle(l + 1);
     const Matrix &P = level.prolongation;
+    const int *fine = P.outerIndexPtr();
     for (Eigen::Index i = 0; i < n; ++i)
-      {
-        Node sum = level.x.col(i);
-        for (Matrix::InnerIterator entry(P, i); entry; ++entry)
-          sum += entry.value() * next.x.col(entry.col());
-        level.x.col(i) = sum;
-      }
+      level.x.col(i) += row_product(P, fine[i], fine[i + 1], next.x);
     for (Eigen::Index i = n - 1; i >= 0; --i)
-      level.x.col(i) += level.inverse_diagonal[i] * relax(i, rows[i + 1]);
+      level.x.col(i) +=
+        level.inverse_diagonal[i] *
+        (level.b.col(i) - row_product(A, rows[i], rows[i + 1], level.x));
   }
 } // namespace springfit
