@@ -8,6 +8,7 @@
 #include <springfit/reference/material_law.h>
 #include <springfit/response/elastic_body.h>
 #include <springfit/springs/tangent_matrix.h>
+#include <springfit/springs/tangent_operator.h>
 
 #include <Eigen/Core>
 
@@ -40,6 +41,14 @@ namespace springfit
     void
     add_forces(const Eigen::MatrixXd &displacement,
                Eigen::MatrixXd &forces) const override;
+
+    void
+    add_tangent_product(const Eigen::MatrixXd &displacement,
+                        const Eigen::MatrixXd &u,
+                        Eigen::MatrixXd &product) const override;
+
+    std::unique_ptr<TangentOperator>
+    tangent_operator() const override;
 
     void
     add_tangent(const Eigen::MatrixXd &displacement,

@@ -1,0 +1,179 @@
+#include <springfit/motion/iterative_step_system.h>
+
+#include <cmath>
+#include <utility>
+
+namespace springfit
+{
+  namespace
+  {
+    // Above this factors are cheaper, or rounding errors in the way.
+    constexpr unsigned int most_iterations = 500;
+
+    // Of iterations per decade, those with a new preconditioner being one.
+    constexpr double outworn = 2.;
+
+    Eigen::MatrixXd
+    free_unknowns(const int dim, const MovingBody &body)
+    {
+      Eigen::MatrixXd free = Eigen::MatrixXd::Ones(dim, body.mass.size());
+      for (std::size_t i = 0; i < body.held.size(); ++i)
+        if (body.held[i])
+          free.reshaped()[i] = 0.;
+      return free;
+    }
+  } // namespace
+
+
+  IterativeStepSystem::IterativeStepSystem(
+    const int dim,
+    const MovingBody &body,
+    std::unique_ptr<StepPreconditioner> preconditioner,
+    const double tolerance)
+    : dim_(dim)
+    , body_(body)
+    , preconditioner_(std::move(preconditioner))
+    , tolerance_(tolerance)
+    , tangent_(body.elastic->tangent_operator())
+    , free_(free_unknowns(dim, body))
+    , mass_(free_ * body.mass.asDiagonal())
+  {}
+
+
+  void
+  IterativeStepSystem::linearise(const Eigen::MatrixXd &displacement)
+  {
+    tangent_->linearise(displacement);
+    displacement_ = displacement;
+  }
+
+
+  Eigen::MatrixXd
+  IterativeStepSystem::stiffness_product(const Eigen::MatrixXd &u) const
+  {
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(u.rows(), u.cols());
+    tangent_->add_product(u, product);
+    return product;
+  }
+
+
+  void
+  IterativeStepSystem::multiply(const Eigen::MatrixXd &u,
+                                Eigen::MatrixXd &product) const
+  {
+    product.setZero(u.rows(), u.cols());
+    tangent_->add_product(u, product);
+    product = stiffness_factor_ * free_.cwiseProduct(product) +
+              mass_factor_ * mass_.cwiseProduct(u);
+  }
+
+
+  void
+  IterativeStepSystem::prepare(const double mass_factor,
+                               const double stiffness_factor)
+  {
+    const bool is_another =
+      mass_factor != mass_factor_ || stiffness_factor != stiffness_factor_;
+    mass_factor_      = mass_factor;
+    stiffness_factor_ = stiffness_factor;
+    if (is_another)
+      {
+        solutions_.clear();
+        preconditioner_->build(Eigen::MatrixXd::Zero(dim_, body_.mass.size()),
+                               mass_factor,
+                               stiffness_factor);
+      }
+    else if (is_outworn_)
+      preconditioner_->build(displacement_, mass_factor, stiffness_factor);
+    else
+      return;
+    first_effort_ = 0.;
+    is_outworn_   = false;
+  }
+
+
+  Eigen::MatrixXd
+  IterativeStepSystem::guess(Eigen::MatrixXd &residual) const
+  {
+    if (solutions_.empty())
+      return Eigen::MatrixXd::Zero(residual.rows(), residual.cols());
+    // The parabola through the last three of equal steps goes on to this; its
+    // multiple is the one of the least error in the norm of the matrix, so that
+    // no guess is worse than 0.
+    Eigen::MatrixXd next = solutions_[0];
+    if (solutions_.size() == 3)
+      next = 3. * (solutions_[0] - solutions_[1]) + solutions_[2];
+    Eigen::MatrixXd of_next;
+    multiply(next, of_next);
+    const double curvature = next.reshaped().dot(of_next.reshaped());
+    const double factor =
+      curvature > 0. ? next.reshaped().dot(residual.reshaped()) / curvature
+                     : 0.;
+    residual -= factor * of_next;
+    return factor * next;
+  }
+
+
+  void
+  IterativeStepSystem::judge(const ConjugateGradients &result)
+  {
+    // A few iterations say little.
+    const double decades = -std::log10(result.reduction);
+    if (!result.has_converged || decades < 1.)
+      return;
+    const double effort = result.n_iterations / decades;
+    if (first_effort_ == 0.)
+      first_effort_ = effort;
+    is_outworn_ = effort > outworn * first_effort_;
+  }
+
+
+  Eigen::MatrixXd
+  IterativeStepSystem::solve_directly(const Eigen::MatrixXd &forces)
+  {
+    if (!direct_)
+      direct_ = std::make_unique<DirectStepSystem>(dim_, body_);
+    direct_->linearise(displacement_);
+    return direct_->solve(mass_factor_, stiffness_factor_, forces);
+  }
+
+
+  Eigen::MatrixXd
+  IterativeStepSystem::solve(const double mass_factor,
+                             const double stiffness_factor,
+                             const Eigen::MatrixXd &forces)
+  {
+    prepare(mass_factor, stiffness_factor);
+    Eigen::MatrixXd residual = free_.cwiseProduct(forces);
+    const double norm        = residual.norm();
+    if (!std::isfinite(norm))
+      return residual; // what it leads to is for the caller to refuse
+    Eigen::MatrixXd solution = guess(residual);
+    const ConjugateGradients result =
+      conjugate_gradients([&](const auto &u,
+                              auto &product) { multiply(u, product); },
+                          [&](const auto &r, auto &z) {
+                            preconditioner_->apply(r, z);
+                            z = z.cwiseProduct(free_);
+                          },
+                          tolerance_ * norm,
+                          most_iterations,
+                          solution,
+                          residual);
+    n_iterations_.push_back(result.n_iterations);
+    judge(result);
+    if (!result.has_converged)
+      solution = solve_directly(forces);
+    solutions_.push_front(solution);
+    if (solutions_.size() > 3)
+      solutions_.pop_back();
+    return solution;
+  }
+
+
+  const std::vector<unsigned int> &
+  IterativeStepSystem::n_iterations() const
+  {
+    return n_iterations_;
+  }
+} // namespace springfit
