@@ -7,7 +7,9 @@ namespace springfit
     double
     product(const Eigen::MatrixXd &a, const Eigen::MatrixXd &b)
     {
-      return a.reshaped().dot(b.reshaped());
+      // reshaped() would not be vectorised.
+      return Eigen::Map<const Eigen::VectorXd>(a.data(), a.size())
+        .dot(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
     }
   } // namespace
 

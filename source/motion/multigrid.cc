@@ -31,18 +31,26 @@ namespace springfit
       return strong;
     }
 
-    /** The aggregate of each node, and how many there are. */
+    // Of a node that is in no aggregate.
+    constexpr Eigen::Index none = -1;
+
+    /**
+     * The aggregate of each node, and how many there are. Nodes by themselves
+     * are in none: relaxing them is exact.
+     */
     Eigen::Index
     aggregate(const Sparse &strong, std::vector<Eigen::Index> &aggregate_of)
     {
-      constexpr Eigen::Index none = -1;
-      const Eigen::Index n        = strong.rows();
+      const Eigen::Index n   = strong.rows();
+      const auto is_isolated = [&](const Eigen::Index i) {
+        return strong.outerIndexPtr()[i + 1] - strong.outerIndexPtr()[i] == 1;
+      };
       aggregate_of.assign(n, none);
       Eigen::Index n_aggregates = 0;
       // Whole neighbourhoods first,
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          bool is_free = true;
+          bool is_free = !is_isolated(i);
           for (Sparse::InnerIterator entry(strong, i); entry; ++entry)
             is_free = is_free && aggregate_of[entry.col()] == none;
           if (!is_free)
@@ -51,7 +59,8 @@ namespace springfit
             aggregate_of[entry.col()] = n_aggregates;
           ++n_aggregates;
         }
-      // then what is left joins the strongest of them.
+      // then what is left joins the strongest of them. A node has a neighbour
+      // in one, or its own neighbourhood would be one.
       const std::vector<Eigen::Index> whole = aggregate_of;
       for (Eigen::Index i = 0; i < n; ++i)
         if (aggregate_of[i] == none)
@@ -64,8 +73,6 @@ namespace springfit
                   largest         = std::abs(entry.value());
                   aggregate_of[i] = whole[entry.col()];
                 }
-            if (aggregate_of[i] == none)
-              aggregate_of[i] = n_aggregates++;
           }
       return n_aggregates;
     }
@@ -98,7 +105,9 @@ namespace springfit
       Sparse tentative(A.rows(), n_coarse);
       tentative.reserve(Eigen::VectorXi::Ones(A.rows()));
       for (Eigen::Index i = 0; i < A.rows(); ++i)
-        tentative.insert(i, aggregate_of[i]) = 1.;
+        if (aggregate_of[i] != none)
+          tentative.insert(i, aggregate_of[i]) = 1.;
+      tentative.makeCompressed();
       const double omega = 4. / (3. * largest_eigenvalue(A, diagonal));
       Sparse smoothed    = A * tentative;
       for (Eigen::Index i = 0; i < smoothed.rows(); ++i)
@@ -127,7 +136,7 @@ namespace springfit
      * The entries from @p begin to @p end of a row times vectors. Four sums at
      * once: an addition need not wait for the one before.
      */
-    Eigen::Vector4f
+    [[gnu::always_inline]] inline Eigen::Vector4f
     row_product(const SingleMatrix &A,
                 const int begin,
                 const int end,
@@ -169,7 +178,7 @@ namespace springfit
             break;
           }
         const Sparse P = prolongation_of(A);
-        if (P.cols() >= A.rows())
+        if (P.cols() == 0 || P.cols() >= A.rows())
           {
             levels_.push_back(std::move(level)); // nothing is connected
             break;
