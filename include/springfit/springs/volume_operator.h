@@ -16,9 +16,15 @@ namespace springfit
   /**
    * The Hessian of volumes under a law that is smooth everywhere: of each, or
    * of several in lanes, the differences of places, the gradient and the law's
-   * derivatives are kept.
+   * derivatives are kept. States are parameters so that the operator is as
+   * local to a file as its coordinates are.
    */
-  template <template <typename> class Coordinates, typename Law>
+  template <template <typename> class Coordinates,
+            typename Law,
+            typename WideState =
+              typename VolumeKernel<Coordinates, Law, Lanes>::State,
+            typename NarrowState =
+              typename VolumeKernel<Coordinates, Law, double>::State>
   class VolumeOperator : public TangentOperator
   {
   public:
@@ -82,8 +88,8 @@ namespace springfit
 
     const Members &members_;
     const std::size_t n_wide_;
-    std::vector<typename Wide::State> wide_;
-    std::vector<typename Narrow::State> narrow_;
+    std::vector<WideState> wide_;
+    std::vector<NarrowState> narrow_;
   };
 } // namespace springfit
 
