@@ -177,7 +177,7 @@ namespace springfit
     Eigen::MatrixXd y = Eigen::MatrixXd::Zero(there.rows(), there.cols());
     copy_held(body, (there - state.displacement) / step, y);
     Eigen::MatrixXd forces = step * driving_forces(body, begin) + impulse;
-    if (!body.held.empty())
+    if (body.support)
       forces -= stiffness_factor * system.stiffness_product(y);
     y += system.solve(mass_factor, stiffness_factor, forces);
 

@@ -13,14 +13,21 @@ namespace springfit
     // Of iterations per decade, those with a new preconditioner being one.
     constexpr double outworn = 2.;
 
-    Eigen::MatrixXd
-    free_unknowns(const int dim, const MovingBody &body)
+    std::vector<Eigen::Index>
+    held_unknowns(const MovingBody &body)
     {
-      Eigen::MatrixXd free = Eigen::MatrixXd::Ones(dim, body.mass.size());
+      std::vector<Eigen::Index> held;
       for (std::size_t i = 0; i < body.held.size(); ++i)
         if (body.held[i])
-          free.reshaped()[i] = 0.;
-      return free;
+          held.push_back(i);
+      return held;
+    }
+
+    void
+    set_zero(const std::vector<Eigen::Index> &unknowns, Eigen::MatrixXd &values)
+    {
+      for (const Eigen::Index i : unknowns)
+        values.data()[i] = 0.;
     }
   } // namespace
 
@@ -35,8 +42,7 @@ namespace springfit
     , preconditioner_(std::move(preconditioner))
     , tolerance_(tolerance)
     , tangent_(body.elastic->tangent_operator())
-    , free_(free_unknowns(dim, body))
-    , mass_(free_ * body.mass.asDiagonal())
+    , held_(held_unknowns(body))
   {}
 
 
@@ -63,8 +69,10 @@ namespace springfit
   {
     product.setZero(u.rows(), u.cols());
     tangent_->add_product(u, product);
-    product = stiffness_factor_ * free_.cwiseProduct(product) +
-              mass_factor_ * mass_.cwiseProduct(u);
+    for (Eigen::Index v = 0; v < u.cols(); ++v)
+      product.col(v) = stiffness_factor_ * product.col(v) +
+                       mass_factor_ * body_.mass[v] * u.col(v);
+    set_zero(held_, product);
   }
 
 
@@ -144,8 +152,9 @@ namespace springfit
                              const Eigen::MatrixXd &forces)
   {
     prepare(mass_factor, stiffness_factor);
-    Eigen::MatrixXd residual = free_.cwiseProduct(forces);
-    const double norm        = residual.norm();
+    Eigen::MatrixXd residual = forces;
+    set_zero(held_, residual);
+    const double norm = residual.norm();
     if (!std::isfinite(norm))
       return residual; // what it leads to is for the caller to refuse
     Eigen::MatrixXd solution = guess(residual);
@@ -154,7 +163,7 @@ namespace springfit
                               auto &product) { multiply(u, product); },
                           [&](const auto &r, auto &z) {
                             preconditioner_->apply(r, z);
-                            z = z.cwiseProduct(free_);
+                            set_zero(held_, z);
                           },
                           tolerance_ * norm,
                           most_iterations,

@@ -18,8 +18,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "pulled_cube.h"
@@ -69,14 +70,15 @@ namespace
     std::vector<double> displacement; // of the loaded face after each, m
   };
 
-  Record
+  /** Appends to @p record. */
+  void
   run(Example &example,
       StepSystem &system,
       const unsigned int n_steps,
+      Record &record,
       const double step          = pulled_cube::step,
       const NewtonLimits &limits = {1., 1})
   {
-    Record record;
     for (unsigned int i = 0; i < n_steps; ++i)
       {
         const auto begin = std::clock();
@@ -86,7 +88,6 @@ namespace
           pulled_cube::face_displacement(example.cube,
                                          example.state.displacement));
       }
-    return record;
   }
 
   double
@@ -146,21 +147,33 @@ namespace
       "| first step, ms | peak, mm |\n|---|---|---|---|---|---|---|\n");
   }
 
+  /** The models take turns, step by step, so that they meet the same machine.
+   */
   void
   time_steps(const std::vector<unsigned int> &sizes)
   {
     print_head();
     std::string reasons;
-    for (const auto &[name, model] : models)
-      for (const unsigned int n : sizes)
-        {
-          Example example(n, model);
-          const ChosenStepSystem chosen = make_step_system(3, example.body);
-          const Record record = run(example, *chosen.system, steps_of_a_period);
-          print_times(name, n, record, *chosen.system);
-          reasons +=
-            name + ", n = " + std::to_string(n) + ": " + chosen.reason + '\n';
-        }
+    for (const unsigned int n : sizes)
+      {
+        std::vector<std::unique_ptr<Example>> examples;
+        std::vector<ChosenStepSystem> chosen;
+        for (const auto &named : models)
+          {
+            examples.push_back(std::make_unique<Example>(n, named.second));
+            chosen.push_back(make_step_system(3, examples.back()->body));
+          }
+        std::vector<Record> records(models.size());
+        for (unsigned int i = 0; i < steps_of_a_period; ++i)
+          for (std::size_t m = 0; m < models.size(); ++m)
+            run(*examples[m], *chosen[m].system, 1, records[m]);
+        for (std::size_t m = 0; m < models.size(); ++m)
+          {
+            print_times(models[m].first, n, records[m], *chosen[m].system);
+            reasons += models[m].first + ", n = " + std::to_string(n) + ": " +
+                       chosen[m].reason + '\n';
+          }
+      }
     std::printf("\n%s", reasons.c_str());
   }
 
@@ -178,7 +191,8 @@ namespace
               example.body,
               has_factors ? factor_preconditioner(3, example.body)
                           : multigrid_preconditioner(3, example.body));
-            const Record record = run(example, system, steps_of_a_period);
+            Record record;
+            run(example, system, steps_of_a_period, record);
             print_times(name + (has_factors ? ", factors" : ", multigrid"),
                         n,
                         record,
@@ -196,11 +210,14 @@ namespace
   {
     Example example(n, model);
     const auto chosen = make_step_system(3, example.body, tolerance);
-    return peak(run(example,
-                    *chosen.system,
-                    part * steps_of_a_period,
-                    pulled_cube::step / part,
-                    limits));
+    Record record;
+    run(example,
+        *chosen.system,
+        part * steps_of_a_period,
+        record,
+        pulled_cube::step / part,
+        limits);
+    return peak(record);
   }
 
   void
@@ -294,7 +311,8 @@ namespace
     const NetworkBody network(alike);
     example.body.elastic = &network;
     const auto chosen    = make_step_system(3, example.body);
-    const Record record  = run(example, *chosen.system, n_steps);
+    Record record;
+    run(example, *chosen.system, n_steps, record);
     std::printf("springfit %u %u %.9g %.9g\n",
                 n,
                 n_steps,

@@ -81,8 +81,7 @@ namespace springfit
     Eigen::MatrixXd displacement_;
     std::unique_ptr<DirectStepSystem> direct_; // none before it is wanted
 
-    // By unknown: 0 where it is held and 1 elsewhere, and the mass there.
-    Eigen::MatrixXd free_, mass_;
+    const std::vector<Eigen::Index> held_; // unknowns, see MovingBody
 
     double mass_factor_ = 0., stiffness_factor_ = 0.;
     std::deque<Eigen::MatrixXd> solutions_; // the last one first
