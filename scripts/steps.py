@@ -7,7 +7,7 @@ import sys
 
 # Steps by the number of cells along the cube's edge: to the peak of the traction where Bullet's
 # time allows it.
-STEPS = {8: 25, 16: 25, 32: 5}
+STEPS = {8: 25, 16: 25, 32: 13}
 TURNS = {8: 5, 16: 3, 32: 1}
 ALIKE = 0.1
 

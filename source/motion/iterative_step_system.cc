@@ -10,8 +10,9 @@ namespace springfit
     // Above this factors are cheaper, or rounding errors in the way.
     constexpr unsigned int most_iterations = 500;
 
-    // Of iterations per decade, those with a new preconditioner being one.
-    constexpr double outworn = 2.;
+    // Of iterations, as many times those with a new preconditioner and some
+    // more: to build one takes as long as many iterations.
+    constexpr double outworn_factor = 2., outworn_more = 10.;
 
     std::vector<Eigen::Index>
     held_unknowns(const MovingBody &body)
@@ -132,7 +133,8 @@ namespace springfit
     const double effort = result.n_iterations / decades;
     if (first_effort_ == 0.)
       first_effort_ = effort;
-    is_outworn_ = effort > outworn * first_effort_;
+    is_outworn_ = result.n_iterations >
+                  outworn_factor * first_effort_ * decades + outworn_more;
   }
 
 

@@ -16,17 +16,25 @@ namespace springfit
     // Below this many a dense inverse is cheap.
     constexpr Eigen::Index coarsest = 300;
 
-    // Of sqrt(a_ii a_jj): what is weaker joins nothing (Vanek, Mandel and
-    // Brezina 1996, section 5, on the finest level).
-    constexpr double strength = 0.04;
+    // What is weaker joins nothing: of the geometric mean of the largest
+    // couplings of both nodes, however many they have, and of sqrt(a_ii a_jj),
+    // where the nodes hardly know of each other.
+    constexpr double strength = 0.1, least_strength = 1e-3;
 
     Sparse
     strong_part(const Sparse &A, const Eigen::VectorXd &diagonal)
     {
+      Eigen::VectorXd largest = Eigen::VectorXd::Zero(A.rows());
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Sparse::InnerIterator entry(A, i); entry; ++entry)
+          if (entry.col() != i)
+            largest[i] = std::max(largest[i], std::abs(entry.value()));
       Sparse strong = A;
       strong.prune([&](const Eigen::Index i, const Eigen::Index j, double a) {
-        return i == j ||
-               std::abs(a) > strength * std::sqrt(diagonal[i] * diagonal[j]);
+        const double bound =
+          std::max(strength * std::sqrt(largest[i] * largest[j]),
+                   least_strength * std::sqrt(diagonal[i] * diagonal[j]));
+        return i == j || std::abs(a) > bound;
       });
       return strong;
     }
