@@ -288,7 +288,7 @@ TEST(StepSystems, resemble_the_matrix_with_a_scalar_one)
     }
 }
 
-TEST(StepSystems, choose_factors_for_slender_bodies_alone)
+TEST(StepSystems, choose_factors_for_small_bodies_alone)
 {
   const Model springs = models().at("quadratic none");
   Example small(2, springs), large(8, springs);
