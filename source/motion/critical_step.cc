@@ -12,7 +12,7 @@ namespace springfit
     const LargestMode fastest = largest_mode(
       dim,
       [&](const Eigen::MatrixXd &u, Eigen::MatrixXd &product) {
-        product.setZero();
+        product = body.largest_load_stiffness * u;
         body.elastic->add_tangent_product(displacement, u, product);
       },
       body.mass,

@@ -59,6 +59,40 @@ namespace springfit
       return largest;
     }
 
+    bool
+    is_damped(const MovingBody &body)
+    {
+      return body.damping.mass_factor != 0. ||
+             body.damping.stiffness_factor != 0. || are_there(body.dampers);
+    }
+
+    /**
+     * Gives held unknowns the velocity that leads them from the state before a
+     * step to where the support is at its end, state.time, and no forces.
+     */
+    void
+    move_held(const MovingBody &body,
+              const double step,
+              MotionState &state,
+              Eigen::MatrixXd &forces)
+    {
+      const bool moves = static_cast<bool>(body.support);
+      Eigen::MatrixXd there;
+      if (moves)
+        {
+          there = state.displacement;
+          body.support(state.time, there);
+        }
+      const double *x = state.displacement.data();
+      for (std::size_t i = 0; i < body.held.size(); ++i)
+        if (body.held[i])
+          {
+            forces.data()[i] = 0.;
+            state.velocity.data()[i] =
+              moves ? (there.data()[i] - x[i]) / step : 0.;
+          }
+    }
+
     [[noreturn]] void
     refuse_step(const double time, const std::string &what)
     {
@@ -129,14 +163,17 @@ namespace springfit
     Eigen::MatrixXd forces = driving_forces(body, state);
     if (body.damping.stiffness_factor != 0.)
       system.linearise(state);
-    forces -= damping_of_step(body, system, state);
-    const Eigen::MatrixXd there =
-      with_supports(body, state.time + step, state.displacement);
-    state.velocity += step * forces * body.mass.cwiseInverse().asDiagonal();
-    copy_held(body, (there - state.displacement) / step, state.velocity);
-    state.displacement += step * state.velocity;
-    copy_held(body, there, state.displacement);
+    if (is_damped(body))
+      forces -= damping_of_step(body, system, state);
     state.time += step;
+    if (!body.held.empty())
+      move_held(body, step, state, forces);
+    // In one loop over the nodes: the memory is what a step waits for.
+    for (Eigen::Index v = 0; v < body.mass.size(); ++v)
+      {
+        state.velocity.col(v) += step / body.mass[v] * forces.col(v);
+        state.displacement.col(v) += step * state.velocity.col(v);
+      }
   }
 
 

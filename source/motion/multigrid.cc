@@ -10,38 +10,55 @@ namespace springfit
 {
   namespace
   {
-    using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using Sparse       = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+    using SingleMatrix = Eigen::SparseMatrix<float, Eigen::RowMajor>;
 
     // Below this many a dense inverse is cheap.
     constexpr Eigen::Index coarsest = 300;
 
-    // Of sqrt(a_ii a_jj): what is weaker joins nothing (Vanek, Mandel and
-    // Brezina 1996, section 5, on the finest level).
-    constexpr double strength = 0.04;
+    // What is weaker joins nothing: of the geometric mean of the largest
+    // couplings of both nodes, however many they have, and of sqrt(a_ii a_jj),
+    // where the nodes hardly know of each other.
+    constexpr double strength = 0.1, least_strength = 1e-3;
 
     Sparse
     strong_part(const Sparse &A, const Eigen::VectorXd &diagonal)
     {
+      Eigen::VectorXd largest = Eigen::VectorXd::Zero(A.rows());
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Sparse::InnerIterator entry(A, i); entry; ++entry)
+          if (entry.col() != i)
+            largest[i] = std::max(largest[i], std::abs(entry.value()));
       Sparse strong = A;
       strong.prune([&](const Eigen::Index i, const Eigen::Index j, double a) {
-        return i == j ||
-               std::abs(a) > strength * std::sqrt(diagonal[i] * diagonal[j]);
+        const double bound =
+          std::max(strength * std::sqrt(largest[i] * largest[j]),
+                   least_strength * std::sqrt(diagonal[i] * diagonal[j]));
+        return i == j || std::abs(a) > bound;
       });
       return strong;
     }
 
-    /** The aggregate of each node, and how many there are. */
+    // Of a node that is in no aggregate.
+    constexpr Eigen::Index none = -1;
+
+    /**
+     * The aggregate of each node, and how many there are. Nodes by themselves
+     * are in none: relaxing them is exact.
+     */
     Eigen::Index
     aggregate(const Sparse &strong, std::vector<Eigen::Index> &aggregate_of)
     {
-      constexpr Eigen::Index none = -1;
-      const Eigen::Index n        = strong.rows();
+      const Eigen::Index n   = strong.rows();
+      const auto is_isolated = [&](const Eigen::Index i) {
+        return strong.outerIndexPtr()[i + 1] - strong.outerIndexPtr()[i] == 1;
+      };
       aggregate_of.assign(n, none);
       Eigen::Index n_aggregates = 0;
       // Whole neighbourhoods first,
       for (Eigen::Index i = 0; i < n; ++i)
         {
-          bool is_free = true;
+          bool is_free = !is_isolated(i);
           for (Sparse::InnerIterator entry(strong, i); entry; ++entry)
             is_free = is_free && aggregate_of[entry.col()] == none;
           if (!is_free)
@@ -50,7 +67,8 @@ namespace springfit
             aggregate_of[entry.col()] = n_aggregates;
           ++n_aggregates;
         }
-      // then what is left joins the strongest of them.
+      // then what is left joins the strongest of them. A node has a neighbour
+      // in one, or its own neighbourhood would be one.
       const std::vector<Eigen::Index> whole = aggregate_of;
       for (Eigen::Index i = 0; i < n; ++i)
         if (aggregate_of[i] == none)
@@ -63,8 +81,6 @@ namespace springfit
                   largest         = std::abs(entry.value());
                   aggregate_of[i] = whole[entry.col()];
                 }
-            if (aggregate_of[i] == none)
-              aggregate_of[i] = n_aggregates++;
           }
       return n_aggregates;
     }
@@ -97,13 +113,56 @@ namespace springfit
       Sparse tentative(A.rows(), n_coarse);
       tentative.reserve(Eigen::VectorXi::Ones(A.rows()));
       for (Eigen::Index i = 0; i < A.rows(); ++i)
-        tentative.insert(i, aggregate_of[i]) = 1.;
+        if (aggregate_of[i] != none)
+          tentative.insert(i, aggregate_of[i]) = 1.;
+      tentative.makeCompressed();
       const double omega = 4. / (3. * largest_eigenvalue(A, diagonal));
       Sparse smoothed    = A * tentative;
       for (Eigen::Index i = 0; i < smoothed.rows(); ++i)
         for (Sparse::InnerIterator entry(smoothed, i); entry; ++entry)
           entry.valueRef() *= omega / diagonal[i];
       return tentative - smoothed;
+    }
+
+    /** Of each row's entry on the diagonal among all entries. */
+    std::vector<int>
+    diagonal_positions(const SingleMatrix &A)
+    {
+      std::vector<int> positions;
+      for (Eigen::Index i = 0; i < A.rows(); ++i)
+        {
+          const int *row = A.innerIndexPtr();
+          positions.push_back(std::lower_bound(row + A.outerIndexPtr()[i],
+                                               row + A.outerIndexPtr()[i + 1],
+                                               static_cast<int>(i)) -
+                              row);
+        }
+      return positions;
+    }
+
+    /**
+     * The entries from @p begin to @p end of a row times vectors. Four sums at
+     * once: an addition need not wait for the one before.
+     */
+    [[gnu::always_inline]] inline Eigen::Vector4f
+    row_product(const SingleMatrix &A,
+                const int begin,
+                const int end,
+                const Eigen::Matrix<float, 4, Eigen::Dynamic> &x)
+    {
+      const float *values    = A.valuePtr();
+      const int *columns     = A.innerIndexPtr();
+      Eigen::Vector4f sum[4] = {Eigen::Vector4f::Zero(),
+                                Eigen::Vector4f::Zero(),
+                                Eigen::Vector4f::Zero(),
+                                Eigen::Vector4f::Zero()};
+      int k                  = begin;
+      for (; k + 4 <= end; k += 4)
+        for (int l = 0; l < 4; ++l)
+          sum[l] += values[k + l] * x.col(columns[k + l]);
+      for (; k < end; ++k)
+        sum[0] += values[k] * x.col(columns[k]);
+      return (sum[0] + sum[1]) + (sum[2] + sum[3]);
     }
   } // namespace
 
@@ -120,13 +179,14 @@ namespace springfit
         level.matrix           = A.cast<float>();
         level.inverse_diagonal = diagonal.cwiseInverse().cast<float>();
         level.x = level.b = level.r = Vectors::Zero(4, A.rows());
+        level.diagonal              = diagonal_positions(level.matrix);
         if (A.rows() <= coarsest)
           {
             levels_.push_back(std::move(level));
             break;
           }
         const Sparse P = prolongation_of(A);
-        if (P.cols() >= A.rows())
+        if (P.cols() == 0 || P.cols() >= A.rows())
           {
             levels_.push_back(std::move(level)); // nothing is connected
             break;
@@ -188,47 +248,31 @@ namespace springfit
 
     const Matrix &A      = level.matrix;
     const Eigen::Index n = A.rows();
-    const float *values  = A.valuePtr();
-    const int *columns   = A.innerIndexPtr();
     const int *rows      = A.outerIndexPtr();
-    using Node           = Eigen::Vector4f;
-    const auto relax     = [&](const Eigen::Index i, const int end) {
-      Node rest = level.b.col(i);
-      for (int k = rows[i]; k < end; ++k)
-        rest -= values[k] * level.x.col(columns[k]);
-      return rest;
-    };
 
-    // Forwards from zero: what is behind the diagonal does not count yet.
+    // Forwards from zero: what is behind the diagonal does not count yet, and
+    // is what is left over in the end.
+    const std::vector<int> &diagonal = level.diagonal;
     for (Eigen::Index i = 0; i < n; ++i)
-      {
-        Node rest = level.b.col(i);
-        for (int k = rows[i]; k < rows[i + 1] && columns[k] < i; ++k)
-          rest -= values[k] * level.x.col(columns[k]);
-        level.x.col(i) = level.inverse_diagonal[i] * rest;
-      }
+      level.x.col(i) =
+        level.inverse_diagonal[i] *
+        (level.b.col(i) - row_product(A, rows[i], diagonal[i], level.x));
     for (Eigen::Index i = 0; i < n; ++i)
-      level.r.col(i) = relax(i, rows[i + 1]);
+      level.r.col(i) = -row_product(A, diagonal[i] + 1, rows[i + 1], level.x);
 
-    Level &next     = levels_[l + 1];
-    const Matrix &R = level.restriction;
+    Level &next       = levels_[l + 1];
+    const Matrix &R   = level.restriction;
+    const int *coarse = R.outerIndexPtr();
     for (Eigen::Index i = 0; i < R.rows(); ++i)
-      {
-        Node sum = Node::Zero();
-        for (Matrix::InnerIterator entry(R, i); entry; ++entry)
-          sum += entry.value() * level.r.col(entry.col());
-        next.b.col(i) = sum;
-      }
+      next.b.col(i) = row_product(R, coarse[i], coarse[i + 1], level.r);
     cycle(l + 1);
     const Matrix &P = level.prolongation;
+    const int *fine = P.outerIndexPtr();
     for (Eigen::Index i = 0; i < n; ++i)
-      {
-        Node sum = level.x.col(i);
-        for (Matrix::InnerIterator entry(P, i); entry; ++entry)
-          sum += entry.value() * next.x.col(entry.col());
-        level.x.col(i) = sum;
-      }
+      level.x.col(i) += row_product(P, fine[i], fine[i + 1], next.x);
     for (Eigen::Index i = n - 1; i >= 0; --i)
-      level.x.col(i) += level.inverse_diagonal[i] * relax(i, rows[i + 1]);
+      level.x.col(i) +=
+        level.inverse_diagonal[i] *
+        (level.b.col(i) - row_product(A, rows[i], rows[i + 1], level.x));
   }
 } // namespace springfit

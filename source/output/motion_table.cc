@@ -44,7 +44,7 @@ namespace springfit
                          const std::vector<MotionSummary> &rows)
   {
     CsvTable table("case,fit,enrichment,kinematics,n_steps,step_s,"
-                   "stable_step_s,ms_per_step,peak_displacement_m,"
+                   "stable_step_s,ms_per_step,iterations,peak_displacement_m,"
                    "e_rms_percent,e_max_percent");
     for (const auto &row : rows)
       {
@@ -57,8 +57,8 @@ namespace springfit
         table.new_row();
         table << row.load_case << row.fit << row.enrichment << row.kinematics
               << static_cast<unsigned int>(row.n_steps) << row.step
-              << row.critical_step << 1e3 * row.seconds_of_step << row.peak
-              << e_rms << e_max;
+              << row.critical_step << 1e3 * row.seconds_of_step
+              << row.iterations << row.peak << e_rms << e_max;
       }
     table.write(folder / "dynamics.csv");
   }

@@ -5,6 +5,7 @@
 #include <deal.II/base/exceptions.h>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -31,6 +32,59 @@ namespace springfit
         cells.push_back(cell);
       return cells;
     }
+
+    /** Adds a Hessian of some nodes times their part of @p u. */
+    template <int dim>
+    void
+    add_products(const std::vector<unsigned int> &nodes,
+                 const Eigen::MatrixXd &hessian,
+                 const Eigen::MatrixXd &u,
+                 Eigen::MatrixXd &product)
+    {
+      Eigen::VectorXd of_nodes(hessian.cols());
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        of_nodes.segment<dim>(dim * a) = u.col(nodes[a]);
+      const Eigen::VectorXd forces = hessian * of_nodes;
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        product.col(nodes[a]) += forces.segment<dim>(dim * a);
+    }
+
+    /** Keeps the Hessians of all cells. */
+    template <int dim>
+    class CellsOperator : public TangentOperator
+    {
+    public:
+      /** Calls its second argument with the energy terms at the first. */
+      using ForEachTerm =
+        std::function<void(const Eigen::MatrixXd &,
+                           const std::function<void(const EnergyTerm &)> &)>;
+
+      explicit CellsOperator(ForEachTerm for_each_term)
+        : for_each_term_(std::move(for_each_term))
+      {}
+
+      void
+      linearise(const Eigen::MatrixXd &state) override
+      {
+        hessians_.clear();
+        for_each_term_(state, [&](const EnergyTerm &term) {
+          hessians_.emplace_back(term.nodes, term.hessian);
+        });
+      }
+
+      void
+      add_product(const Eigen::MatrixXd &u,
+                  Eigen::MatrixXd &product) const override
+      {
+        for (const auto &[nodes, hessian] : hessians_)
+          add_products<dim>(nodes, hessian, u, product);
+      }
+
+    private:
+      const ForEachTerm for_each_term_;
+      std::vector<std::pair<std::vector<unsigned int>, Eigen::MatrixXd>>
+        hessians_;
+    };
 
     template <int dim>
     void
@@ -119,11 +173,18 @@ namespace springfit
     Eigen::MatrixXd &product) const
   {
     for_each_term(displacement, [&](const EnergyTerm &term) {
-      const Eigen::MatrixXd of_cell = u(Eigen::all, term.nodes);
-      const Eigen::VectorXd forces  = term.hessian * of_cell.reshaped();
-      for (std::size_t a = 0; a < term.nodes.size(); ++a)
-        product.col(term.nodes[a]) += forces.segment<dim>(dim * a);
+      add_products<dim>(term.nodes, term.hessian, u, product);
     });
+  }
+
+  template <int dim>
+  std::unique_ptr<TangentOperator>
+  FiniteElementBody<dim>::tangent_operator() const
+  {
+    return std::make_unique<CellsOperator<dim>>(
+      [this](const Eigen::MatrixXd &displacement, const auto &f) {
+        for_each_term(displacement, f);
+      });
   }
 
   template <int dim>

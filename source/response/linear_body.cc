@@ -35,6 +35,27 @@ namespace springfit
             }
         }
     }
+
+    class ConstantOperator : public TangentOperator
+    {
+    public:
+      explicit ConstantOperator(const LinearBody &body) : body_(body)
+      {}
+
+      void
+      linearise(const Eigen::MatrixXd &) override
+      {}
+
+      void
+      add_product(const Eigen::MatrixXd &u,
+                  Eigen::MatrixXd &product) const override
+      {
+        body_.add_tangent_product(u, u, product);
+      }
+
+    private:
+      const LinearBody &body_;
+    };
   } // namespace
 
   LinearBody::LinearBody(const ElasticBody &body,
@@ -70,6 +91,12 @@ namespace springfit
   {
     Eigen::Map<Eigen::VectorXd>(product.data(), product.size()) +=
       stiffness_ * u.reshaped().matrix();
+  }
+
+  std::unique_ptr<TangentOperator>
+  LinearBody::tangent_operator() const
+  {
+    return std::make_unique<ConstantOperator>(*this);
   }
 
   void

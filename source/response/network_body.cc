@@ -6,6 +6,41 @@
 
 namespace springfit
 {
+  namespace
+  {
+    class NetworkOperator : public TangentOperator
+    {
+    public:
+      NetworkOperator(const Eigen::MatrixXd &nodes, const Families &families)
+        : nodes_(nodes)
+      {
+        for (const Family &family : families)
+          operators_.push_back(family.kind->tangent_operator(family.members));
+      }
+
+      void
+      linearise(const Eigen::MatrixXd &state) override
+      {
+        const Eigen::MatrixXd x = nodes_ + state;
+        for (const auto &of_family : operators_)
+          of_family->linearise(x);
+      }
+
+      void
+      add_product(const Eigen::MatrixXd &u,
+                  Eigen::MatrixXd &product) const override
+      {
+        for (const auto &of_family : operators_)
+          of_family->add_product(u, product);
+      }
+
+    private:
+      const Eigen::MatrixXd &nodes_;
+      std::vector<std::unique_ptr<TangentOperator>> operators_;
+    };
+  } // namespace
+
+
   NetworkBody::NetworkBody(const SpringNetwork &network)
     : NetworkBody(network.nodes, network.families)
   {}
@@ -36,6 +71,12 @@ namespace springfit
                                    nodes_ + displacement,
                                    u,
                                    product);
+  }
+
+  std::unique_ptr<TangentOperator>
+  NetworkBody::tangent_operator() const
+  {
+    return std::make_unique<NetworkOperator>(nodes_, families_);
   }
 
   void

@@ -6,6 +6,37 @@
 
 namespace springfit
 {
+  namespace
+  {
+    /** Keeps the places alone. */
+    class OperatorOfPlaces : public TangentOperator
+    {
+    public:
+      OperatorOfPlaces(const SpringKind &kind, const Members &members)
+        : kind_(kind), members_(members)
+      {}
+
+      void
+      linearise(const Eigen::MatrixXd &state) override
+      {
+        x_ = state;
+      }
+
+      void
+      add_product(const Eigen::MatrixXd &u,
+                  Eigen::MatrixXd &product) const override
+      {
+        kind_.add_tangent_product(members_, x_, u, product);
+      }
+
+    private:
+      const SpringKind &kind_;
+      const Members &members_;
+      Eigen::MatrixXd x_;
+    };
+  } // namespace
+
+
   SpringKind::SpringKind(std::string word,
                          std::vector<std::string> node_names,
                          std::vector<Column> columns)
@@ -55,6 +86,12 @@ namespace springfit
                            std::vector<std::vector<double>> &,
                            const Eigen::MatrixXd &) const
   {}
+
+  std::unique_ptr<TangentOperator>
+  SpringKind::tangent_operator(const Members &members) const
+  {
+    return std::make_unique<OperatorOfPlaces>(*this, members);
+  }
 
 
   Family::Family(const SpringKind &kind) : kind(&kind)

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <sstream>
 
 namespace springfit
@@ -34,6 +36,16 @@ namespace springfit
               static_cast<std::uint64_t>(std::abs(exact - round) < 1e-6 * exact
                                            ? round
                                            : std::ceil(exact))};
+    }
+
+    /** Of conjugate gradients for each solution; none: nothing was solved. */
+    std::optional<double>
+    mean_iterations(const MovingModel &model)
+    {
+      const auto &n = model.system->n_iterations();
+      if (n.empty())
+        return {};
+      return std::accumulate(n.begin(), n.end(), 0.) / n.size();
     }
 
     /** The node that moves most, in words. */
@@ -151,6 +163,7 @@ namespace springfit
           account.dissipated >> model->seconds >> model->square_sum >>
           model->largest_error >> model->largest >> model->n_rows;
         set_forces(excitation_, *model);
+        model->system->forget();
         records_.push_back(std::make_unique<MotionRecord>(
           session_.draft(), base(*model), observations_, checkpoint));
       }
@@ -202,7 +215,12 @@ namespace springfit
         if (frames_every > 0 && (n_done_ % frames_every == 0 || is_last))
           show();
         if (checkpoints_every > 0 && n_done_ % checkpoints_every == 0)
-          make_checkpoint();
+          {
+            make_checkpoint();
+            // As a run that goes on from here.
+            for (const auto &model : models_)
+              model->system->forget();
+          }
         progress.step();
       }
   }
@@ -223,6 +241,7 @@ namespace springfit
                         grid_.step,
                         model->critical_step,
                         model->seconds / grid_.n_steps,
+                        mean_iterations(*model),
                         model->largest,
                         {}});
         if (settings_.has_finite_elements && largest > 0.)
@@ -259,7 +278,11 @@ namespace springfit
   CaseInMotion<dim>::choose_step() const
   {
     if (settings_.integrator != Integrator::symplectic_euler)
-      return settings_.step;
+      {
+        for (const auto &model : models_)
+          session_.log(model->name + ": " + model->reason);
+        return settings_.step;
+      }
     double largest = std::numeric_limits<double>::infinity();
     for (const auto &model : models_)
       {

@@ -44,7 +44,8 @@ namespace springfit
           checkpoint << row.load_case << row.fit << row.enrichment
                      << row.kinematics << row.n_steps << row.step
                      << row.critical_step.value_or(0.) << row.seconds_of_step
-                     << row.peak << std::uint64_t(row.errors ? 1 : 0);
+                     << row.iterations.value_or(-1.) << row.peak
+                     << std::uint64_t(row.errors ? 1 : 0);
           const ErrorNorms errors = row.errors.value_or(ErrorNorms{});
           checkpoint << errors.e_rms_percent << errors.e_max_percent;
         }
@@ -62,15 +63,17 @@ namespace springfit
       for (std::uint64_t i = 0; i < n; ++i)
         {
           MotionSummary row;
-          double critical_step;
+          double critical_step, iterations;
           std::uint64_t has_errors;
           ErrorNorms errors;
           checkpoint >> row.load_case >> row.fit >> row.enrichment >>
             row.kinematics >> row.n_steps >> row.step >> critical_step >>
-            row.seconds_of_step >> row.peak >> has_errors >>
+            row.seconds_of_step >> iterations >> row.peak >> has_errors >>
             errors.e_rms_percent >> errors.e_max_percent;
           if (critical_step > 0.)
             row.critical_step = critical_step;
+          if (iterations >= 0.)
+            row.iterations = iterations;
           if (has_errors)
             row.errors = errors;
           done.summaries.push_back(row);

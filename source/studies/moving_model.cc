@@ -1,7 +1,9 @@
+#include <springfit/core/error.h>
 #include <springfit/motion/integrators.h>
 #include <springfit/studies/moving_model.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace springfit
@@ -83,6 +85,9 @@ namespace springfit
                                 state.time,
                                 blocks);
       };
+    body.largest_load_stiffness = 0.;
+    for (const auto &obstacle : excitation.obstacles)
+      body.largest_load_stiffness += obstacle.stiffness;
     body.support = [&](const double t, Eigen::MatrixXd &displacement) {
       displacement = excitation.load(t).support;
     };
@@ -128,6 +133,14 @@ namespace springfit
       }
     model.seconds +=
       std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!model.state.velocity.allFinite() ||
+        !std::isfinite(elastic_energy(model.body, model.state)))
+      {
+        model.state = before;
+        throw RunError("the motion has no finite velocity or energy after the "
+                       "step.",
+                       "Choose a smaller step.");
+      }
     model.state.time = end;
     model.acceleration =
       settings.integrator == Integrator::generalised_alpha ||

@@ -1,5 +1,5 @@
 #include <springfit/core/error.h>
-#include <springfit/motion/direct_step_system.h>
+#include <springfit/motion/step_systems.h>
 #include <springfit/reference/consistent_mass.h>
 #include <springfit/reference/nodal_masses.h>
 #include <springfit/response/expression.h>
@@ -10,6 +10,7 @@
 #include <springfit/studies/comparison_files.h>
 #include <springfit/studies/moving_models.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -221,7 +222,13 @@ namespace springfit
               1e-6 * (settings.end - settings.begin),
               excitation,
               *model);
-        model->system = std::make_unique<DirectStepSystem>(dim, model->body);
+        // Newton's method goes on where one solution ends.
+        const double tolerance = settings.newton.n_iterations == 1
+                                   ? settings.newton.tolerance
+                                   : std::min(1e-6, settings.newton.tolerance);
+        auto chosen            = make_step_system(dim, model->body, tolerance);
+        model->system          = std::move(chosen.system);
+        model->reason          = chosen.reason;
         if (settings.integrator == Integrator::generalised_alpha ||
             settings.integrator == Integrator::newmark)
           set_acceleration(model->body, *model->system, model->state);

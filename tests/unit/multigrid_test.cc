@@ -116,6 +116,26 @@ TEST(Multigrid, converges_alike_on_all_sizes)
       }
 }
 
+// Each of 26 equal neighbours is weak beside the diagonal.
+TEST(Multigrid, joins_nodes_of_many_equal_neighbours)
+{
+  Random random(3);
+  auto A = grid(10, 0.1, random);
+  for (int column = 0; column < A.outerSize(); ++column)
+    {
+      double n_neighbours = -1.;
+      for (decltype(A)::InnerIterator entry(A, column); entry; ++entry)
+        n_neighbours += 1.;
+      for (decltype(A)::InnerIterator entry(A, column); entry; ++entry)
+        entry.valueRef() =
+          entry.row() == entry.col() ? n_neighbours + 0.1 : -1.;
+    }
+  Multigrid inverse(A);
+  ASSERT_GT(inverse.sizes().size(), 1u);
+  EXPECT_LT(inverse.sizes()[1], A.rows() / 8);
+  EXPECT_LE(n_iterations(A, inverse, random_motion(A.rows(), random)), 22u);
+}
+
 TEST(Multigrid, of_a_diagonal_is_exact)
 {
   Eigen::SparseMatrix<double> A(1000, 1000);

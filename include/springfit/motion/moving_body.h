@@ -60,6 +60,9 @@ namespace springfit
     std::function<void(const MotionState &state, Eigen::MatrixXd &blocks)>
       load_stiffness;
 
+    /** Above what load_stiffness makes of any node, N/m. */
+    double largest_load_stiffness = 0.;
+
     /**
      * Sets the displacements of held unknowns, m, at a time; may be empty: they
      * stay where they are. Others that it sets are of no account.

@@ -47,6 +47,7 @@ namespace springfit
     struct Level
     {
       Matrix matrix;
+      std::vector<int> diagonal; // where each row's entry is
       Eigen::VectorXf inverse_diagonal;
       Matrix prolongation; // from the next one
       Matrix restriction;  // its transpose

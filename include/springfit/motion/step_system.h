@@ -45,6 +45,14 @@ namespace springfit
      */
     virtual Eigen::MatrixXd
     solve(const StepFactors &factors, const Eigen::MatrixXd &forces) = 0;
+
+    /**
+     * Forget what solutions before have taught, so that all that follows is as
+     * with a new system.
+     */
+    virtual void
+    forget()
+    {}
   };
 } // namespace springfit
 

@@ -44,6 +44,7 @@ namespace springfit
     double step;                         // s
     std::optional<double> critical_step; // s, of symplectic Euler's method
     double seconds_of_step;              // wall time, the mean of all
+    std::optional<double> iterations;    // mean of a solution of equations
     double peak;                         // largest displacement, m
 
     /** From the finite elements, over all rows of the tables. */

@@ -2,6 +2,7 @@
 #define springfit_response_elastic_body_h
 
 #include <springfit/springs/tangent_matrix.h>
+#include <springfit/springs/tangent_operator.h>
 
 #include <Eigen/Core>
 
@@ -30,11 +31,21 @@ namespace springfit
     add_forces(const Eigen::MatrixXd &displacement,
                Eigen::MatrixXd &forces) const = 0;
 
-    /** Add the Hessian of the energy times @p u (m) to @p product (N). */
+    /**
+     * Add the Hessian of the energy times a motion @p u (dim x n_nodes, m) to
+     * @p product (as it, N).
+     */
     virtual void
     add_tangent_product(const Eigen::MatrixXd &displacement,
                         const Eigen::MatrixXd &u,
                         Eigen::MatrixXd &product) const = 0;
+
+    /**
+     * The Hessian as an operator whose states are displacements, for many
+     * products at each. The body must outlive it.
+     */
+    virtual std::unique_ptr<TangentOperator>
+    tangent_operator() const = 0;
 
     /** Add the Hessian of the energy, N/m. */
     virtual void

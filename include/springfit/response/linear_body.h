@@ -2,8 +2,11 @@
 #define springfit_response_linear_body_h
 
 #include <springfit/response/elastic_body.h>
+#include <springfit/springs/tangent_operator.h>
 
 #include <Eigen/SparseCore>
+
+#include <memory>
 
 namespace springfit
 {
@@ -25,6 +28,9 @@ namespace springfit
     add_tangent_product(const Eigen::MatrixXd &displacement,
                         const Eigen::MatrixXd &u,
                         Eigen::MatrixXd &product) const override;
+
+    std::unique_ptr<TangentOperator>
+    tangent_operator() const override;
 
     void
     add_tangent(const Eigen::MatrixXd &displacement,

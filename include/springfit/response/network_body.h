@@ -3,6 +3,7 @@
 
 #include <springfit/response/elastic_body.h>
 #include <springfit/springs/network.h>
+#include <springfit/springs/tangent_operator.h>
 
 #include <Eigen/Core>
 
@@ -31,6 +32,9 @@ namespace springfit
     add_tangent_product(const Eigen::MatrixXd &displacement,
                         const Eigen::MatrixXd &u,
                         Eigen::MatrixXd &product) const override;
+
+    std::unique_ptr<TangentOperator>
+    tangent_operator() const override;
 
     void
     add_tangent(const Eigen::MatrixXd &displacement,

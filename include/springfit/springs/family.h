@@ -1,9 +1,12 @@
 #ifndef springfit_springs_family_h
 #define springfit_springs_family_h
 
+#include <springfit/springs/tangent_operator.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -137,6 +140,14 @@ namespace springfit
                         const Eigen::MatrixXd &x,
                         const Eigen::MatrixXd &u,
                         Eigen::MatrixXd &product) const = 0;
+
+    /**
+     * The Hessian as an operator whose states are places of the nodes.
+     *
+     * @param members must outlive it
+     */
+    virtual std::unique_ptr<TangentOperator>
+    tangent_operator(const Members &members) const;
 
     /** Add the Hessian of the energy, N/m. */
     virtual void

@@ -2,11 +2,13 @@
 #define springfit_springs_pair_kind_h
 
 #include <springfit/springs/kernel_kind.h>
+#include <springfit/springs/pair_operator.h>
 
 #include <Eigen/Core>
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,6 +94,20 @@ namespace springfit
       const double f = Law::force(stiffness_[m], rest_length_[m], s);
       const double c = Law::curvature(stiffness_[m], rest_length_[m], s);
       return f * change_of_d + (c * d.dot(change_of_d)) * d;
+    }
+
+    /** f, N/m */
+    double
+    slope(const std::size_t m, const Vector &d) const
+    {
+      return Law::force(stiffness_[m], rest_length_[m], d.squaredNorm());
+    }
+
+    /** c, N/m^3 */
+    double
+    curvature(const std::size_t m, const Vector &d) const
+    {
+      return Law::curvature(stiffness_[m], rest_length_[m], d.squaredNorm());
     }
 
     bool
@@ -193,6 +209,16 @@ namespace springfit
           return kernel.change(m, d, at(u, i) - at(u, j));
         },
         product);
+    }
+
+    std::unique_ptr<TangentOperator>
+    tangent_operator(const Members &members) const override
+    {
+      using Kernel = PairKernel<dim, Law>;
+      if constexpr (Law::has_no_length)
+        return std::make_unique<LinearPairOperator<Kernel>>(members);
+      else
+        return std::make_unique<PairOperator<Kernel>>(members);
     }
 
   private:

@@ -4,8 +4,8 @@
 #include <springfit/motion/contact.h>
 #include <springfit/motion/dynamics.h>
 #include <springfit/motion/energy_account.h>
+#include <springfit/motion/iterative_step_system.h>
 #include <springfit/motion/moving_body.h>
-#include <springfit/motion/step_system.h>
 #include <springfit/response/load_case.h>
 
 #include <Eigen/Core>
@@ -43,7 +43,8 @@ namespace springfit
 
     std::unique_ptr<const ElasticBody> elastic;
     MovingBody body;
-    std::unique_ptr<StepSystem> system;
+    std::unique_ptr<IterativeStepSystem> system;
+    std::string reason; // why it is this system, for the log
 
     MotionState state;
     Eigen::MatrixXd acceleration; // m/s^2, of the last step

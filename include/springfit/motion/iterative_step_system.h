@@ -1,0 +1,99 @@
+#ifndef springfit_motion_iterative_step_system_h
+#define springfit_motion_iterative_step_system_h
+
+#include <springfit/motion/conjugate_gradients.h>
+#include <springfit/motion/direct_step_system.h>
+#include <springfit/motion/step_preconditioner.h>
+#include <springfit/motion/step_system.h>
+#include <springfit/springs/tangent_operator.h>
+
+#include <Eigen/Core>
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace springfit
+{
+  /**
+   * By preconditioned conjugate gradients with products that need no matrix,
+   * from a guess that solutions before suggest. The preconditioner is built at
+   * rest and kept; it is built anew at the present state when it serves much
+   * worse than in the beginning. A matrix that is not positive definite, of
+   * springs under compression, is solved by factors.
+   */
+  class IterativeStepSystem : public StepSystem
+  {
+  public:
+    /**
+     * @param body must outlive the object
+     * @param tolerance for the residual relative to the forces
+     */
+    IterativeStepSystem(int dim,
+                        const MovingBody &body,
+                        std::unique_ptr<StepPreconditioner> preconditioner,
+                        double tolerance = 1e-6);
+
+    void
+    linearise(const MotionState &state) override;
+
+    Eigen::MatrixXd
+    stiffness_product(const Eigen::MatrixXd &u) const override;
+
+    Eigen::MatrixXd
+    solve(const StepFactors &factors, const Eigen::MatrixXd &forces) override;
+
+    void
+    forget() override;
+
+    /** Of each solution up to now. */
+    const std::vector<unsigned int> &
+    n_iterations() const;
+
+  private:
+    /** Sets @p product to the step's matrix times @p u, 0 where held. */
+    void
+    multiply(const Eigen::MatrixXd &u, Eigen::MatrixXd &product) const;
+
+    /** Build the preconditioner where there is none that suits. */
+    void
+    prepare(const StepFactors &factors);
+
+    /**
+     * What the solutions before suggest; takes what the matrix makes of it away
+     * from @p residual.
+     */
+    Eigen::MatrixXd
+    guess(Eigen::MatrixXd &residual) const;
+
+    /** Whether the preconditioner serves as in the beginning. */
+    void
+    judge(const ConjugateGradients &result);
+
+    Eigen::MatrixXd
+    solve_directly(const Eigen::MatrixXd &forces);
+
+    const int dim_;
+    const MovingBody &body_;
+    const std::unique_ptr<StepPreconditioner> preconditioner_;
+    const double tolerance_;
+
+    const std::unique_ptr<TangentOperator> tangent_;
+    MotionState state_;
+    Eigen::MatrixXd load_blocks_;              // see MovingBody::load_stiffness
+    std::unique_ptr<DirectStepSystem> direct_; // none before it is wanted
+
+    const std::vector<Eigen::Index> held_; // unknowns, see MovingBody
+
+    StepFactors factors_{};
+    std::deque<Eigen::MatrixXd> solutions_; // the last one first
+    std::vector<unsigned int> n_iterations_;
+
+    // Iterations per decade of the residual with a new preconditioner; 0 before
+    // there are any.
+    double first_effort_ = 0.;
+    bool is_outworn_     = false;
+  };
+} // namespace springfit
+
+#endif
