@@ -92,7 +92,7 @@ namespace springfit
       for (const auto &family : network.families)
         if (family.kind->n_nodes() == 2)
           for (std::size_t m = 0; m < family.size(); ++m)
-            dampers.pairs.push_back({family.nodes(m)[0], family.nodes(m)[1]});
+            dampers.pairs.push_back({{family.nodes(m)[0], family.nodes(m)[1]}});
       return dampers;
     }
 

@@ -44,6 +44,7 @@ namespace
           nodes.cols())
     {
       body.elastic         = &elastic;
+      body.rounding        = 1e-9;
       body.mass            = nodal_masses(*mesh, element, materials);
       body.consistent_mass = consistent_mass(*mesh, element, materials);
       for (Eigen::Index v = 0; v < nodes.cols(); ++v)

@@ -283,25 +283,68 @@ TEST(SlabShare, OfABoxIsThatOfItsExtent)
     }
 }
 
+namespace
+{
+  /** Of nodes that are held in all components. */
+  std::string
+  motion_left(const Eigen::MatrixXd &points)
+  {
+    return free_rigid_motion(
+      points, HeldComponents::Constant(points.rows(), points.cols(), true));
+  }
+} // namespace
+
 TEST(RigidMotion, IsNamed)
 {
-  EXPECT_NE(free_rigid_motion(Eigen::MatrixXd(3, 0)), "");
-  EXPECT_NE(free_rigid_motion(Eigen::Vector3d(1., 2., 3.)).find("(1, 2, 3)"),
+  EXPECT_NE(motion_left(Eigen::MatrixXd(3, 0)), "");
+  EXPECT_NE(motion_left(Eigen::Vector3d(1., 2., 3.)).find("(1, 2, 3)"),
             std::string::npos);
   Eigen::MatrixXd line(3, 3);
   line << 0., 1., 3., //
     0., 0., 0.,       //
     5., 5., 5.;
-  EXPECT_NE(free_rigid_motion(line).find("axis"), std::string::npos);
+  EXPECT_NE(motion_left(line).find("axis"), std::string::npos);
   line(1, 2) = 1e-3; // no longer on a line
-  EXPECT_EQ(free_rigid_motion(line), "");
+  EXPECT_EQ(motion_left(line), "");
 
-  EXPECT_NE(free_rigid_motion(Eigen::Vector2d(1., 2.)), "");
+  EXPECT_NE(motion_left(Eigen::Vector2d(1., 2.)), "");
   Eigen::MatrixXd two(2, 2);
   two << 0., 1., 0., 0.;
-  EXPECT_EQ(free_rigid_motion(two), "");
+  EXPECT_EQ(motion_left(two), "");
   two.col(1) = two.col(0); // the same node twice
-  EXPECT_NE(free_rigid_motion(two), "");
+  EXPECT_NE(motion_left(two), "");
+}
+
+TEST(RigidMotion, IsLeftBySlidingSupports)
+{
+  // The corners of a square in the plane z = 0.
+  Eigen::MatrixXd corners(3, 4);
+  corners << 0., 1., 0., 1., //
+    0., 0., 1., 1.,          //
+    0., 0., 0., 0.;
+  HeldComponents held = HeldComponents::Constant(3, 4, false);
+  held.row(2)         = true;
+  held(0, 0) = held(1, 0) = true;
+  EXPECT_NE(free_rigid_motion(corners, held)
+              .find("axis through (0, 0, 0) m along (0, 0, 1)"),
+            std::string::npos)
+    << free_rigid_motion(corners, held);
+  held(1, 1) = true;
+  EXPECT_EQ(free_rigid_motion(corners, held), "");
+  held(0, 0) = false;
+  EXPECT_EQ(free_rigid_motion(corners, held),
+            "the translation along (1, 0, 0)");
+
+  // In the plane: rollers whose normals meet in the origin.
+  Eigen::MatrixXd rollers(2, 3);
+  rollers << 2., 0., 0., //
+    0., 3., 4.;
+  HeldComponents normal = HeldComponents::Constant(2, 3, false);
+  normal(0, 0) = normal(1, 1) = normal(1, 2) = true;
+  EXPECT_EQ(free_rigid_motion(rollers, normal),
+            "the rotation about the point (0, 0) m");
+  normal(0, 2) = true;
+  EXPECT_EQ(free_rigid_motion(rollers, normal), "");
 }
 
 TEST(ShapeQuality, IsOneForRegularCellsAndZeroForFlatOnes)
