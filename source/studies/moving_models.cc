@@ -20,18 +20,6 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
-    Eigen::MatrixXd
-    nodes_of(const Mesh<dim> &mesh)
-    {
-      const auto &vertices = mesh.triangulation.get_vertices();
-      Eigen::MatrixXd nodes(dim, vertices.size());
-      for (unsigned int v = 0; v < vertices.size(); ++v)
-        for (int d = 0; d < dim; ++d)
-          nodes(d, v) = vertices[v][d];
-      return nodes;
-    }
-
     /** The load at the time that was asked for last, kept. */
     std::function<NodalLoad(double)>
     remembering(std::function<NodalLoad(double)> load)
@@ -178,7 +166,7 @@ namespace springfit
                   const LoadCase &load_case,
                   const DynamicsSettings<dim> &settings)
   {
-    Excitation excitation{nodes_of(*calibrated.mesh),
+    Excitation excitation{calibrated.networks.front().network.nodes,
                           loading.held,
                           remembering(load_case.canned
                                         ? canned_load(load_case, settings)

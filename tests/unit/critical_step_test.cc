@@ -135,9 +135,8 @@ TEST(CriticalStep, of_every_kind_under_stress_is_that_of_dense_eigenvalues)
         const double largest = squares.maxCoeff();
         if (largest < 1e-3 || squares.minCoeff() < -largest)
           continue;
-        const double expected = 2. / std::sqrt(largest);
-        const double predicted =
-          critical_step(example.body, example.rest).step;
+        const double expected  = 2. / std::sqrt(largest);
+        const double predicted = critical_step(example.body, example.rest).step;
         EXPECT_LE(predicted, 1.0001 * expected);
         EXPECT_GE(predicted, 0.98 * expected);
 
