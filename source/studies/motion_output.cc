@@ -131,7 +131,6 @@ namespace springfit
       }
     for (const auto &obstacle : obstacles)
       name("force_of_", obstacle.name);
-    result.n_obstacles = obstacles.size();
     return result;
   }
 

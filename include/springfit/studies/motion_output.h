@@ -29,7 +29,6 @@ namespace springfit
     std::vector<unsigned int> nodes;
     std::vector<Eigen::VectorXd> weights; // of the nodes, of sum 1
     std::vector<std::vector<bool>> supports;
-    std::size_t n_obstacles;
   };
 
   /** @throws EntryError when a boundary is unknown or has no faces. */
