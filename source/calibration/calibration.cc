@@ -4,7 +4,9 @@
 #include <springfit/calibration/distinct_cells.h>
 #include <springfit/calibration/mechanisms.h>
 #include <springfit/calibration/object_calibration.h>
+#include <springfit/core/error.h>
 #include <springfit/core/words.h>
+#include <springfit/reference/cell_frame.h>
 
 #include <deal.II/base/timer.h>
 
@@ -18,9 +20,10 @@ namespace springfit
   namespace
   {
     /** Those that the fits tell apart. */
-    template <int dim>
+    template <int dim, int spacedim>
     DistinctCells
-    distinct_cells(const FitSection<dim> &section, const Mesh<dim> &mesh)
+    distinct_cells(const FitSection<spacedim> &section,
+                   const Mesh<dim, spacedim> &mesh)
     {
       if (section.scope() == Scope::object)
         return every_cell(mesh);
@@ -30,10 +33,10 @@ namespace springfit
     }
 
     /** How many cells do not meet each assumption of a published method. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::map<std::string, unsigned int>
     count_unmet_assumptions(const DistinctCells &cells,
-                            const Mesh<dim> &mesh,
+                            const Mesh<dim, spacedim> &mesh,
                             const MaterialTable &materials,
                             const Method &method)
     {
@@ -42,31 +45,49 @@ namespace springfit
       for (const auto &distinct : cells.distinct)
         for (const auto &assumption : unmet_assumptions(
                method,
-               cell_points<dim>(iterators[distinct.representative]),
+               flat_points<dim, spacedim>(iterators[distinct.representative]),
                mesh.cell_kind,
                material_of<dim>(materials.at(distinct.material))))
           counts[assumption] += distinct.multiplicity;
       return counts;
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    warn_of_assumptions(const FitSection<dim> &section,
+    warn_of_assumptions(const FitSection<spacedim> &section,
                         const DistinctCells &cells,
-                        const Mesh<dim> &mesh,
+                        const Mesh<dim, spacedim> &mesh,
                         const MaterialTable &materials,
                         Session &session)
     {
       std::set<const Method *> methods;
       for (const auto &row : section.rows(mesh.cell_kind))
         if (methods.insert(row.method).second)
-          for (const auto &[assumption, n_cells] : count_unmet_assumptions<dim>(
-                 cells, mesh, materials, *row.method))
+          for (const auto &[assumption, n_cells] :
+               count_unmet_assumptions(cells, mesh, materials, *row.method))
             session.warn("The constants of '" + row.method->word +
                          "' are published for " + assumption + ", which " +
                          std::to_string(n_cells) + " of " +
                          std::to_string(cells.copies.size()) +
                          " cells do not meet. They are used all the same.");
+    }
+
+    /** @throws EntryError where a surface in space shall have what it cannot.
+     */
+    template <int spacedim>
+    void
+    check_for_surface(const FitSection<spacedim> &section)
+    {
+      if (section.scope() == Scope::object)
+        throw EntryError("Fit/Scope",
+                         "of a surface in space, which bends without "
+                         "resistance, only cells are fitted.",
+                         "Set it to cell.");
+      if (section.has_states())
+        throw EntryError("Fit/States",
+                         "a surface in space is fitted at rest, where its "
+                         "cells have directions of their own.",
+                         "Leave it empty.");
     }
 
     /** Of springs alone the loaded object is checked as a whole. */
@@ -90,11 +111,11 @@ namespace springfit
                      "keeps approximations of the stiffness from that.");
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
     FittedNetwork
     calibrate_cells(const DistinctCells &cells,
-                    const Mesh<dim> &mesh,
-                    const Element<dim> &element,
+                    const Mesh<dim, spacedim> &mesh,
+                    const Element<dim, spacedim> &element,
                     const MaterialTable &materials,
                     const Method &method,
                     const FitOptions &options,
@@ -146,11 +167,11 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<CalibratedNetwork>
-  calibrate(const FitSection<dim> &section,
-            const Mesh<dim> &mesh,
-            const Element<dim> &element,
+  calibrate(const FitSection<spacedim> &section,
+            const Mesh<dim, spacedim> &mesh,
+            const Element<dim, spacedim> &element,
             const MaterialTable &materials,
             const Eigen::MatrixXd &responses,
             const MaterialLaw law,
@@ -158,6 +179,8 @@ namespace springfit
   {
     section.check_cells(mesh.cell_kind);
     section.check_states(law);
+    if (dim < spacedim)
+      check_for_surface(section);
     for (const auto &sentence : section.unused_entries(mesh.cell_kind))
       session.warn(sentence);
     const auto cells = distinct_cells(section, mesh);
@@ -174,28 +197,31 @@ namespace springfit
         dealii::TimerOutput::Scope scope(session.timer(),
                                          "Calibration, " + name);
         dealii::Timer timer(session.communicator());
-        FittedNetwork fitted =
-          section.scope() == Scope::object
-            ? calibrate_object(cells,
-                               mesh,
-                               element,
-                               materials,
-                               *row.method,
-                               section.options(row),
-                               section.spring_law(),
-                               section.fields(),
-                               responses,
-                               name,
-                               session)
-            : calibrate_cells(cells,
-                              mesh,
-                              element,
-                              materials,
-                              *row.method,
-                              section.options(row),
-                              {section.states(), law, section.spring_law()},
-                              name,
-                              session);
+        const auto fit_network = [&]() {
+          if constexpr (dim == spacedim)
+            if (section.scope() == Scope::object)
+              return calibrate_object(cells,
+                                      mesh,
+                                      element,
+                                      materials,
+                                      *row.method,
+                                      section.options(row),
+                                      section.spring_law(),
+                                      section.fields(),
+                                      responses,
+                                      name,
+                                      session);
+          return calibrate_cells(cells,
+                                 mesh,
+                                 element,
+                                 materials,
+                                 *row.method,
+                                 section.options(row),
+                                 {section.states(), law, section.spring_law()},
+                                 name,
+                                 session);
+        };
+        FittedNetwork fitted = fit_network();
         warn_of_mechanisms(fitted, name, session);
         if (has(*row.method, Feature::finite_element) && !is_explained)
           is_explained = explain_negative_springs(fitted.network, session);
@@ -219,6 +245,14 @@ namespace springfit
                const Eigen::MatrixXd &,
                MaterialLaw,
                Session &);
+  template std::vector<CalibratedNetwork>
+  calibrate<2, 3>(const FitSection<3> &,
+                  const Mesh<2, 3> &,
+                  const Element<2, 3> &,
+                  const MaterialTable &,
+                  const Eigen::MatrixXd &,
+                  MaterialLaw,
+                  Session &);
   template std::vector<CalibratedNetwork>
   calibrate<3>(const FitSection<3> &,
                const Mesh<3> &,

@@ -5,6 +5,7 @@
 #include <springfit/core/error.h>
 #include <springfit/core/progress.h>
 #include <springfit/reference/cell_energy.h>
+#include <springfit/reference/cell_frame.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -17,31 +18,32 @@ namespace springfit
   namespace
   {
     /** A distinct cell as an error names it. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::string
-    description(const CellIterator<dim> &cell, const CellKind kind)
+    description(const CellIterator<dim, spacedim> &cell, const CellKind kind)
     {
       std::ostringstream text;
       text.precision(3);
       text << singular(kind) << ' ' << cell->active_cell_index() << " (centre "
            << cell->center() << " m, shape quality "
-           << shape_quality(cell_points<dim>(cell), kind) << " of 1)";
+           << shape_quality(flat_points<dim, spacedim>(cell), kind) << " of 1)";
       return text.str();
     }
 
     /** A cell and its reference's tangents in homogeneous deformations. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::vector<DeformedState>
-    deformed_states(const CellIterator<dim> &cell,
+    deformed_states(const CellIterator<dim, spacedim> &cell,
                     const CellMaterial &material,
                     const std::vector<Eigen::MatrixXd> &deformation_gradients,
-                    CellEnergy<dim> &energy)
+                    CellEnergy<dim, spacedim> &energy)
     {
       std::vector<DeformedState> states;
       for (const auto &F : deformation_gradients)
         {
           const Eigen::MatrixXd displacement =
-            (F - Eigen::MatrixXd::Identity(dim, dim)) * cell_points<dim>(cell);
+            (F - Eigen::MatrixXd::Identity(spacedim, spacedim)) *
+            cell_points<dim, spacedim>(cell);
           const auto term = energy.evaluate(cell, material, displacement);
           if (!term)
             throw RunError("its finite element has no energy in one of the "
@@ -53,11 +55,11 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
-  std::vector<CellIterator<dim>>
-  cells_by_index(const Mesh<dim> &mesh)
+  template <int dim, int spacedim>
+  std::vector<CellIterator<dim, spacedim>>
+  cells_by_index(const Mesh<dim, spacedim> &mesh)
   {
-    std::vector<CellIterator<dim>> cells;
+    std::vector<CellIterator<dim, spacedim>> cells;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       cells.push_back(cell);
     return cells;
@@ -78,15 +80,16 @@ namespace springfit
   }
 
 
-  template <int dim>
+  template <int dim, int spacedim>
   FitProblem
   cell_problem(
-    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    const typename dealii::Triangulation<dim, spacedim>::active_cell_iterator
+      &cell,
     const CellKind kind,
-    CellMatrices<dim> &cell_matrices,
+    CellMatrices<dim, spacedim> &cell_matrices,
     const CellMaterial &material)
   {
-    return make_fit_problem(cell_points<dim>(cell),
+    return make_fit_problem(flat_points<dim, spacedim>(cell),
                             kind,
                             cell_matrices.stiffness(cell, material),
                             material_of<dim>(material));
@@ -101,11 +104,11 @@ namespace springfit
     return models;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<TimedFit>
   fit_distinct_cells(const DistinctCells &cells,
-                     const Mesh<dim> &mesh,
-                     const Element<dim> &element,
+                     const Mesh<dim, spacedim> &mesh,
+                     const Element<dim, spacedim> &element,
                      const MaterialTable &materials,
                      const Method &method,
                      const FitOptions &options,
@@ -123,8 +126,8 @@ namespace springfit
 
     std::map<unsigned int, std::vector<double>> mine;
     run_collectively(communicator, [&]() {
-      CellMatrices<dim> cell_matrices(element);
-      CellEnergy<dim> cell_energy(element, states.material_law);
+      CellMatrices<dim, spacedim> cell_matrices(element);
+      CellEnergy<dim, spacedim> cell_energy(element, states.material_law);
       Progress progress("Fits (" + name + ") of distinct cells",
                         (cells.distinct.size() + n_ranks - 1) / n_ranks,
                         rank == 0);
@@ -134,12 +137,13 @@ namespace springfit
           const auto &cell     = iterators[distinct.representative];
           const auto &material = materials.at(distinct.material);
           const auto start     = std::chrono::steady_clock::now();
-          auto problem = cell_problem<dim>(cell, kind, cell_matrices, material);
-          problem.law  = states.spring_law;
+          auto problem =
+            cell_problem<dim, spacedim>(cell, kind, cell_matrices, material);
+          problem.law = states.spring_law;
           FitResult result;
           try
             {
-              problem.states = deformed_states<dim>(
+              problem.states = deformed_states<dim, spacedim>(
                 cell, material, states.deformation_gradients, cell_energy);
               result = fit(problem, method, options);
               check_certificate(result, options);
@@ -147,7 +151,8 @@ namespace springfit
           catch (const RunError &error)
             {
               throw RunError("The fit '" + name + "' of " +
-                               description<dim>(cell, kind) + " failed:",
+                               description<dim, spacedim>(cell, kind) +
+                               " failed:",
                              error.what());
             }
           const std::chrono::duration<double> seconds =
@@ -172,6 +177,11 @@ namespace springfit
                   CellMatrices<2> &,
                   const CellMaterial &);
   template FitProblem
+  cell_problem<2, 3>(const dealii::Triangulation<2, 3>::active_cell_iterator &,
+                     CellKind,
+                     CellMatrices<2, 3> &,
+                     const CellMaterial &);
+  template FitProblem
   cell_problem<3>(const dealii::Triangulation<3>::active_cell_iterator &,
                   CellKind,
                   CellMatrices<3> &,
@@ -182,6 +192,8 @@ namespace springfit
   material_of<3>(const CellMaterial &);
   template std::vector<CellIterator<2>>
   cells_by_index<2>(const Mesh<2> &);
+  template std::vector<CellIterator<2, 3>>
+  cells_by_index<2, 3>(const Mesh<2, 3> &);
   template std::vector<CellIterator<3>>
   cells_by_index<3>(const Mesh<3> &);
   template std::vector<TimedFit>
@@ -194,6 +206,16 @@ namespace springfit
                         const ReferenceStates &,
                         const std::string &,
                         Session &);
+  template std::vector<TimedFit>
+  fit_distinct_cells<2, 3>(const DistinctCells &,
+                           const Mesh<2, 3> &,
+                           const Element<2, 3> &,
+                           const MaterialTable &,
+                           const Method &,
+                           const FitOptions &,
+                           const ReferenceStates &,
+                           const std::string &,
+                           Session &);
   template std::vector<TimedFit>
   fit_distinct_cells<3>(const DistinctCells &,
                         const Mesh<3> &,

@@ -1,30 +1,46 @@
 #include <springfit/calibration/cell_network.h>
+#include <springfit/springs/kinds_in_space.h>
 
 namespace springfit
 {
-  template <int dim>
+  namespace
+  {
+    /** Springs of a cell as those of a mesh. */
+    template <int dim, int spacedim>
+    Family
+    placed(Family family)
+    {
+      if constexpr (dim == spacedim)
+        return family;
+      else
+        return in_space(family);
+    }
+  } // namespace
+
+  template <int dim, int spacedim>
   SpringNetwork
-  assemble_network(const Mesh<dim> &mesh,
+  assemble_network(const Mesh<dim, spacedim> &mesh,
                    const DistinctCells &cells,
                    const std::vector<CellModel> &models,
-                   const Element<dim> &element,
+                   const Element<dim, spacedim> &element,
                    const MaterialTable &materials)
   {
     const auto iterators = cells_by_index(mesh);
     const auto &vertices = mesh.triangulation.get_vertices();
-    Eigen::MatrixXd nodes(dim, vertices.size());
+    Eigen::MatrixXd nodes(spacedim, vertices.size());
     for (unsigned int v = 0; v < vertices.size(); ++v)
-      for (int d = 0; d < dim; ++d)
+      for (int d = 0; d < spacedim; ++d)
         nodes(d, v) = vertices[v][d];
 
     NetworkBuilder builder(nodes);
-    CellMatrices<dim> cell_matrices(element);
+    CellMatrices<dim, spacedim> cell_matrices(element);
     std::vector<unsigned int> cell_nodes;
     for (unsigned int c = 0; c < iterators.size(); ++c)
       {
         const auto &copy = cells.copies[c];
         for (const auto &family : models[copy.distinct].families)
-          builder.add(family, copy.nodes, copy.scale);
+          builder.add(placed<dim, spacedim>(scaled(family, copy.scale)),
+                      copy.nodes);
 
         cell_nodes.clear();
         for (const unsigned int v : iterators[c]->vertex_indices())
@@ -43,6 +59,12 @@ namespace springfit
                       const std::vector<CellModel> &,
                       const Element<2> &,
                       const MaterialTable &);
+  template SpringNetwork
+  assemble_network<2, 3>(const Mesh<2, 3> &,
+                         const DistinctCells &,
+                         const std::vector<CellModel> &,
+                         const Element<2, 3> &,
+                         const MaterialTable &);
   template SpringNetwork
   assemble_network<3>(const Mesh<3> &,
                       const DistinctCells &,

@@ -1,6 +1,6 @@
 #include <springfit/calibration/congruence.h>
 #include <springfit/calibration/distinct_cells.h>
-#include <springfit/reference/cell_matrices.h>
+#include <springfit/reference/cell_frame.h>
 
 #include <map>
 #include <unordered_map>
@@ -10,9 +10,9 @@ namespace springfit
   namespace
   {
     /** Sort the cells by material and by what @p shape_of makes of them. */
-    template <int dim>
+    template <int dim, int spacedim>
     DistinctCells
-    sorted_cells(const Mesh<dim> &mesh,
+    sorted_cells(const Mesh<dim, spacedim> &mesh,
                  CanonicalShape (*shape_of)(const Eigen::MatrixXd &, CellKind))
     {
       DistinctCells cells;
@@ -23,7 +23,8 @@ namespace springfit
 
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         {
-          const auto shape = shape_of(cell_points<dim>(cell), mesh.cell_kind);
+          const auto shape =
+            shape_of(flat_points<dim, spacedim>(cell), mesh.cell_kind);
           const auto [entry, is_new] =
             known[cell->material_id()].try_emplace(shape.key,
                                                    cells.distinct.size());
@@ -49,23 +50,23 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   DistinctCells
-  find_distinct_cells(const Mesh<dim> &mesh)
+  find_distinct_cells(const Mesh<dim, spacedim> &mesh)
   {
     return sorted_cells(mesh, &canonical_shape);
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   DistinctCells
-  find_distinct_oriented_cells(const Mesh<dim> &mesh)
+  find_distinct_oriented_cells(const Mesh<dim, spacedim> &mesh)
   {
     return sorted_cells(mesh, &oriented_shape);
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   DistinctCells
-  every_cell(const Mesh<dim> &mesh)
+  every_cell(const Mesh<dim, spacedim> &mesh)
   {
     DistinctCells cells;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -82,13 +83,19 @@ namespace springfit
   template DistinctCells
   every_cell<2>(const Mesh<2> &);
   template DistinctCells
+  every_cell<2, 3>(const Mesh<2, 3> &);
+  template DistinctCells
   every_cell<3>(const Mesh<3> &);
   template DistinctCells
   find_distinct_cells<2>(const Mesh<2> &);
   template DistinctCells
+  find_distinct_cells<2, 3>(const Mesh<2, 3> &);
+  template DistinctCells
   find_distinct_cells<3>(const Mesh<3> &);
   template DistinctCells
   find_distinct_oriented_cells<2>(const Mesh<2> &);
+  template DistinctCells
+  find_distinct_oriented_cells<2, 3>(const Mesh<2, 3> &);
   template DistinctCells
   find_distinct_oriented_cells<3>(const Mesh<3> &);
 } // namespace springfit

@@ -1,6 +1,6 @@
 #include <springfit/comparison/delivered_constants.h>
 #include <springfit/comparison/slab_share.h>
-#include <springfit/reference/cell_matrices.h>
+#include <springfit/reference/cell_frame.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -12,16 +12,16 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
+    template <int spacedim>
     Interval
     extent_along(const Eigen::VectorXd &axis,
-                 const std::vector<dealii::Point<dim>> &vertices)
+                 const std::vector<dealii::Point<spacedim>> &vertices)
     {
       Interval extent{1e300, -1e300};
       for (const auto &vertex : vertices)
         {
           double position = 0.;
-          for (int d = 0; d < dim; ++d)
+          for (int d = 0; d < spacedim; ++d)
             position += axis[d] * vertex[d];
           extent.lowest  = std::min(extent.lowest, position);
           extent.highest = std::max(extent.highest, position);
@@ -30,9 +30,9 @@ namespace springfit
     }
 
     /** Where to measure: see delivered_constants. */
-    template <int dim>
+    template <int dim, int spacedim>
     Interval
-    measured_part(const Mesh<dim> &mesh,
+    measured_part(const Mesh<dim, spacedim> &mesh,
                   const Eigen::VectorXd &axis,
                   const Interval &object)
     {
@@ -46,10 +46,10 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::optional<YoungPoisson>
-  delivered_constants(const Mesh<dim> &mesh,
-                      const Element<dim> &element,
+  delivered_constants(const Mesh<dim, spacedim> &mesh,
+                      const Element<dim, spacedim> &element,
                       const Eigen::VectorXd &axis,
                       const Eigen::MatrixXd &displacement,
                       const Eigen::MatrixXd &forces,
@@ -59,16 +59,16 @@ namespace springfit
       extent_along(axis, mesh.triangulation.get_vertices());
     const Interval part = measured_part(mesh, axis, object);
 
-    dealii::FEValues<dim> values(*element.mapping,
-                                 *element.scalar,
-                                 element.quadrature,
-                                 dealii::update_gradients |
-                                   dealii::update_JxW_values);
+    dealii::FEValues<dim, spacedim> values(*element.mapping,
+                                           *element.scalar,
+                                           element.quadrature,
+                                           dealii::update_gradients |
+                                             dealii::update_JxW_values);
     double volume            = 0.;
-    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(dim, dim);
+    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(spacedim, spacedim);
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
-        const double share = slab_share(cell_points<dim>(cell),
+        const double share = slab_share(cell_points<dim, spacedim>(cell),
                                         mesh.cell_kind,
                                         axis,
                                         part.lowest,
@@ -81,7 +81,7 @@ namespace springfit
             const double weight = share * values.JxW(q);
             volume += weight;
             for (const unsigned int a : values.dof_indices())
-              for (int d = 0; d < dim; ++d)
+              for (int d = 0; d < spacedim; ++d)
                 gradient.col(d) += weight * values.shape_grad(a, q)[d] *
                                    displacement.col(cell->vertex_index(a));
           }
@@ -108,6 +108,13 @@ namespace springfit
                          const Eigen::MatrixXd &,
                          const Eigen::MatrixXd &,
                          double);
+  template std::optional<YoungPoisson>
+  delivered_constants<2, 3>(const Mesh<2, 3> &,
+                            const Element<2, 3> &,
+                            const Eigen::VectorXd &,
+                            const Eigen::MatrixXd &,
+                            const Eigen::MatrixXd &,
+                            double);
   template std::optional<YoungPoisson>
   delivered_constants<3>(const Mesh<3> &,
                          const Element<3> &,

@@ -19,12 +19,6 @@ namespace springfit
       return 0.5 * dealii::cross_product_3d(b - a, c - a).norm();
     }
 
-    double
-    area_of(const dealii::Triangulation<2>::face_iterator &face)
-    {
-      return (face->vertex(1) - face->vertex(0)).norm();
-    }
-
     // A warped quadrilateral has no area of its own (and deal.II refuses to
     // measure it): the mean of the two pairs of triangles that span it.
     double
@@ -41,9 +35,9 @@ namespace springfit
   } // namespace
 
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<BoundaryRow>
-  boundary_table(const Mesh<dim> &mesh)
+  boundary_table(const Mesh<dim, spacedim> &mesh)
   {
     std::map<dealii::types::boundary_id, BoundaryRow> rows;
     for (const auto &face : mesh.triangulation.active_face_iterators())
@@ -53,7 +47,10 @@ namespace springfit
           auto &row =
             rows.try_emplace(id, BoundaryRow{id, "", 0, 0.}).first->second;
           ++row.n_faces;
-          row.area += area_of(face);
+          if constexpr (dim == 2)
+            row.area += face->vertex(0).distance(face->vertex(1));
+          else
+            row.area += area_of(face);
         }
 
     std::vector<BoundaryRow> table;
@@ -66,9 +63,9 @@ namespace springfit
   }
 
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::set<dealii::types::boundary_id>
-  find_boundaries(const Mesh<dim> &mesh,
+  find_boundaries(const Mesh<dim, spacedim> &mesh,
                   const std::vector<std::string> &ids_or_names,
                   const std::string &entry)
   {
@@ -102,9 +99,15 @@ namespace springfit
   template std::vector<BoundaryRow>
   boundary_table(const Mesh<2> &);
   template std::vector<BoundaryRow>
+  boundary_table(const Mesh<2, 3> &);
+  template std::vector<BoundaryRow>
   boundary_table(const Mesh<3> &);
   template std::set<dealii::types::boundary_id>
   find_boundaries(const Mesh<2> &,
+                  const std::vector<std::string> &,
+                  const std::string &);
+  template std::set<dealii::types::boundary_id>
+  find_boundaries(const Mesh<2, 3> &,
                   const std::vector<std::string> &,
                   const std::string &);
   template std::set<dealii::types::boundary_id>

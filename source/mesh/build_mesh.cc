@@ -14,13 +14,13 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
-    std::vector<dealii::Point<dim>>
+    template <int spacedim>
+    std::vector<dealii::Point<spacedim>>
     points_of(const MeshDescription &description)
     {
-      std::vector<dealii::Point<dim>> points(description.vertices.size());
+      std::vector<dealii::Point<spacedim>> points(description.vertices.size());
       for (std::size_t v = 0; v < points.size(); ++v)
-        for (int d = 0; d < dim; ++d)
+        for (int d = 0; d < spacedim; ++d)
           points[v][d] = description.vertices[v][d];
       return points;
     }
@@ -48,9 +48,9 @@ namespace springfit
 
     // By vertices rather than through SubCellData: deal.II refuses a
     // description of faces that are not on the boundary.
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    set_boundary_ids(dealii::Triangulation<dim> &triangulation,
+    set_boundary_ids(dealii::Triangulation<dim, spacedim> &triangulation,
                      const MeshDescription &description)
     {
       std::map<std::vector<unsigned int>, unsigned int> id_of_face;
@@ -76,11 +76,11 @@ namespace springfit
   } // namespace
 
 
-  template <int dim>
-  std::unique_ptr<Mesh<dim>>
+  template <int dim, int spacedim>
+  std::unique_ptr<Mesh<dim, spacedim>>
   build_mesh(const MeshDescription &description, const unsigned int n_ranks)
   {
-    auto mesh           = std::make_unique<Mesh<dim>>();
+    auto mesh           = std::make_unique<Mesh<dim, spacedim>>();
     mesh->cell_kind     = description.cell_kind;
     mesh->warnings      = description.warnings;
     mesh->straight_part = description.straight_part;
@@ -91,7 +91,7 @@ namespace springfit
     mesh->unused_boundary_names = description.unused_boundary_names;
     mesh->unused_material_names = description.unused_material_names;
 
-    mesh->triangulation.create_triangulation(points_of<dim>(description),
+    mesh->triangulation.create_triangulation(points_of<spacedim>(description),
                                              cells_of<dim>(description),
                                              dealii::SubCellData());
     set_boundary_ids(mesh->triangulation, description);
@@ -106,6 +106,8 @@ namespace springfit
 
   template std::unique_ptr<Mesh<2>>
   build_mesh<2>(const MeshDescription &, unsigned int);
+  template std::unique_ptr<Mesh<2, 3>>
+  build_mesh<2, 3>(const MeshDescription &, unsigned int);
   template std::unique_ptr<Mesh<3>>
   build_mesh<3>(const MeshDescription &, unsigned int);
 } // namespace springfit

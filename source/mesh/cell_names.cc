@@ -18,7 +18,7 @@ namespace springfit
     text << singular(mesh.cell_kind) << ' '
          << (mesh.cell_numbers.empty() ? cell : mesh.cell_numbers[cell])
          << " (around x = " << centre[0] << ", y = " << centre[1];
-    if (dimension(mesh.cell_kind) == 3)
+    if (dimension(mesh.cell_kind) == 3 || centre[2] != 0.)
       text << ", z = " << centre[2];
     text << " m)";
     return text.str();

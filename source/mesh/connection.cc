@@ -21,7 +21,7 @@ namespace springfit
       const MeshPoint &point = mesh.vertices[vertex];
       std::ostringstream text;
       text << "x = " << point[0] << ", y = " << point[1];
-      if (dimension(mesh.cell_kind) == 3)
+      if (dimension(mesh.cell_kind) == 3 || point[2] != 0.)
         text << ", z = " << point[2];
       return text.str();
     }

@@ -99,7 +99,10 @@ namespace springfit
             mesh.name + " has a side that " + std::to_string(end - i) +
               " cells share, one of them " +
               describe_cell(mesh, sides[i].cell) + ".",
-            "At most two cells may meet there: look for cells that overlap.");
+            "At most two cells may meet there: look for cells that overlap" +
+              std::string(dimension(mesh.cell_kind) == 2
+                            ? ", or for a surface that branches."
+                            : "."));
         if (end - i == 1)
           single.push_back(sides[i].number);
         i = end;

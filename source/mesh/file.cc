@@ -98,7 +98,7 @@ namespace springfit
       std::ostringstream text;
       text.precision(3);
       text << mesh.name << " measures " << extents[0] << " x " << extents[1];
-      if (request.dim == 3)
+      if (request.spacedim == 3)
         text << " x " << extents[2];
       text.precision(6);
       text << " m. Is Geometry/Scale = " << request.scale
@@ -113,7 +113,7 @@ namespace springfit
       scale_to_metres(mesh, request.scale);
       check_coordinates(mesh);
       check_no_duplicate_cells(mesh);
-      if (request.dim == 2)
+      if (request.spacedim == 2)
         put_into_plane(mesh);
       ask_about_scale(mesh, request);
     }

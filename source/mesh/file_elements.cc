@@ -48,10 +48,8 @@ namespace springfit
             '.',
           all.empty()
             ? "Give a complete mesh."
-            : "Set Dimension = " +
-                std::to_string(
-                  has_solids || !found_in(elements, 3).empty() ? 3 : 2) +
-                ", or give another mesh.");
+            : advice_on_dimension(
+                has_solids || !found_in(elements, 3).empty() ? 3 : 2));
       if (cells.size() > 1)
         throw InputError(name + " has mixed cell types: " +
                            found_in(elements, dim) + '.',
@@ -90,6 +88,18 @@ namespace springfit
       return vertices;
     }
   } // namespace
+
+
+  std::string
+  advice_on_dimension(const int dim)
+  {
+    return dim == 3
+             ? "Set Dimension = 3 and Cells to tetrahedra or hexahedra, or "
+               "give another mesh."
+             : "Set Dimension = 2 for a plane body; or Dimension = 3 and "
+               "Cells = triangles for a surface in space, which is a "
+               "membrane; or give a mesh of the volume.";
+  }
 
 
   MeshOfElements

@@ -7,6 +7,7 @@
 #include <springfit/mesh/mesh_checks.h>
 #include <springfit/mesh/sizes.h>
 
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
 
@@ -33,17 +34,18 @@ namespace springfit
     }
 
     std::string
-    help_on_size(const int dim)
+    help_on_size(const int spacedim)
     {
       std::string text =
         std::string("Extents of the object along x") +
-        (dim == 2 ? " and y" : ", y and z") +
+        (spacedim == 2 ? " and y" : ", y and z") +
         ", separated by commas; of a cylinder: height, diameter, diameter; "
         "of a cell: the length of its edges. Not for a file. If empty, the object's own";
       for (const Object &object : objects())
-        if (const auto own = object.default_size.find(dim);
-            own != object.default_size.end())
-          text += "; " + object.name + ": " + text_of(own->second);
+        for (const auto &[dim, size] : object.default_size)
+          if (dim <= spacedim && size.size() <= std::size_t(spacedim))
+            text += "; " + object.name +
+                    (dim < spacedim ? " of triangles: " : ": ") + text_of(size);
       return text + ". In m.";
     }
 
@@ -53,17 +55,19 @@ namespace springfit
       return "The cells: " + join(words_of(cell_kind_words())) +
              ". Boxes, cylinders and specimens have structured "
              "quadrilaterals and hexahedra; gmsh makes the others. A mesh file decides for "
-             "itself; a geometry file can have all but hexahedra. No unit.";
+             "itself; a geometry file can have all but hexahedra. In 3-d, "
+             "triangles are a surface in space: a membrane in plane stress, "
+             "without stiffness in bending. No unit.";
     }
   } // namespace
 
 
-  template <int dim>
-  Geometry<dim>::Geometry() : ParameterAcceptor("Geometry")
+  template <int spacedim>
+  Geometry<spacedim>::Geometry() : ParameterAcceptor("Geometry")
   {
     add_parameter("Object", object_, help_on_objects());
     add_parameter("Cells", cells_, help_on_cells());
-    add_parameter("Size", size_, help_on_size(dim));
+    add_parameter("Size", size_, help_on_size(spacedim));
     add_parameter(
       "Cell size",
       cell_size_,
@@ -107,26 +111,44 @@ namespace springfit
   }
 
 
-  template <int dim>
+  template <int spacedim>
   void
-  Geometry<dim>::complete()
+  Geometry<spacedim>::complete()
   {
     // Through the entry, so that it is among the values in force.
     const auto &sizes = find_object(object_).default_size;
-    if (const auto own = sizes.find(dim); size_.empty() && own != sizes.end())
+    if (const auto own = sizes.find(dimension_of_cells());
+        size_.empty() && own != sizes.end())
       this->prm.set("Size", text_of(own->second));
     if (cell_size_.empty() && find_object(object_).check_files == nullptr)
       this->prm.set("Cell size", text_of({default_cell_size}));
   }
 
 
-  template <int dim>
+  template <int spacedim>
+  CellKind
+  Geometry<spacedim>::cell_kind() const
+  {
+    return value_of(cell_kind_words(), cells_, "Geometry/Cells");
+  }
+
+
+  template <int spacedim>
+  int
+  Geometry<spacedim>::dimension_of_cells() const
+  {
+    return dimension(cell_kind());
+  }
+
+
+  template <int spacedim>
   ObjectRequest
-  Geometry<dim>::request(const std::filesystem::path &folder_of_prm) const
+  Geometry<spacedim>::request(const std::filesystem::path &folder_of_prm) const
   {
     ObjectRequest request;
-    request.dim       = dim;
-    request.cell_kind = value_of(cell_kind_words(), cells_, "Geometry/Cells");
+    request.dim       = dimension_of_cells();
+    request.spacedim  = spacedim;
+    request.cell_kind = cell_kind();
     request.size      = size_;
     request.cell_size = cell_size_;
     if (!file_.empty())
@@ -137,34 +159,40 @@ namespace springfit
   }
 
 
-  template <int dim>
+  template <int spacedim>
   void
-  Geometry<dim>::check() const
+  Geometry<spacedim>::check() const
   {
     const Object &object        = find_object(object_);
     const ObjectRequest request = this->request("");
-    if (dimension(request.cell_kind) != dim)
+    if (request.dim > spacedim)
       throw EntryError("Geometry/Cells",
-                       cells_ + " are cells of dimension " +
-                         std::to_string(5 - dim) +
-                         ", the scene has dimension " + std::to_string(dim) +
-                         ".",
-                       std::string("Set it to ") +
-                         (dim == 2 ? "triangles or quadrilaterals"
-                                   : "tetrahedra or hexahedra") +
-                         ", or change Dimension.");
+                       cells_ + " are cells of dimension 3, the scene has "
+                                "dimension 2.",
+                       "Set it to triangles or quadrilaterals, or change "
+                       "Dimension.");
+    if (request.dim < spacedim && !is_simplex(request.cell_kind))
+      throw EntryError("Geometry/Cells",
+                       "a surface in space is made of triangles.",
+                       "Split each quadrilateral into two, or set Dimension "
+                       "= 2 for a plane mesh.");
     object.check(request);
     if (!(jitter_ >= 0. && jitter_ < 0.5))
       throw EntryError("Geometry/Jitter",
                        text_of(jitter_) + " is out of range.",
                        "Give a fraction of the cells' edges, at least 0 and "
                        "less than 0.5.");
+    if (jitter_ > 0. && request.dim < spacedim)
+      throw EntryError("Geometry/Jitter",
+                       "surfaces in space are not distorted.",
+                       "Leave it at 0.");
   }
 
 
-  template <int dim>
+  template <int spacedim>
   void
-  Geometry<dim>::check_files(const std::filesystem::path &folder_of_prm) const
+  Geometry<spacedim>::check_files(
+    const std::filesystem::path &folder_of_prm) const
   {
     const Object &object = find_object(object_);
     if (object.check_files != nullptr)
@@ -172,26 +200,37 @@ namespace springfit
   }
 
 
+  template <int spacedim>
   template <int dim>
-  std::unique_ptr<Mesh<dim>>
-  Geometry<dim>::create(const MPI_Comm communicator,
-                        const std::filesystem::path &folder_of_prm) const
+  std::unique_ptr<Mesh<dim, spacedim>>
+  Geometry<spacedim>::create(const MPI_Comm communicator,
+                             const std::filesystem::path &folder_of_prm) const
   {
     check();
+    Assert(dim == dimension_of_cells(), dealii::ExcInternalError());
     MeshDescription description;
     run_on_root(communicator, [&]() {
       description = find_object(object_).describe(request(folder_of_prm));
-      check_mesh(description);
+      if constexpr (dim == spacedim)
+        check_mesh(description);
+      else
+        check_surface(description);
       if (jitter_ > 0.)
         jitter(description, jitter_);
     });
     description =
       dealii::Utilities::MPI::broadcast(communicator, description, 0);
-    return build_mesh<dim>(
+    return build_mesh<dim, spacedim>(
       description, dealii::Utilities::MPI::n_mpi_processes(communicator));
   }
 
 
   template class Geometry<2>;
   template class Geometry<3>;
+  template std::unique_ptr<Mesh<2>>
+  Geometry<2>::create(MPI_Comm, const std::filesystem::path &) const;
+  template std::unique_ptr<Mesh<2, 3>>
+  Geometry<3>::create(MPI_Comm, const std::filesystem::path &) const;
+  template std::unique_ptr<Mesh<3>>
+  Geometry<3>::create(MPI_Comm, const std::filesystem::path &) const;
 } // namespace springfit

@@ -1,5 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/mesh/announced.h>
+#include <springfit/mesh/file_elements.h>
 #include <springfit/mesh/file_formats.h>
 #include <springfit/mesh/gmsh_file.h>
 #include <springfit/mesh/gmsh_model.h>
@@ -92,9 +93,11 @@ namespace springfit
       const int dim = gmsh::model::getDimension();
       if (dim != request.dim)
         throw InputError(name_of(request) + " is a geometry of dimension " +
-                           std::to_string(dim) + ", the scene has dimension " +
+                           std::to_string(dim) +
+                           ", the scene has cells of "
+                           "dimension " +
                            std::to_string(request.dim) + ".",
-                         "Set Dimension to that of the geometry.");
+                         advice_on_dimension(dim));
       if (request.cell_kind == CellKind::hexahedron)
         throw EntryError("Geometry/Cells",
                          "gmsh cannot fill the geometry of '" +
@@ -154,15 +157,14 @@ namespace springfit
                            "groups: add a physical " +
                            body +
                            " with all cells and save the mesh again (or use "
-                           "'gmsh -save_all').");
+                           "'gmsh -save_all')." +
+                           (dim == 3 ? " Or: " + advice_on_dimension(2) : ""));
       if (n_gmsh_elements(1) + n_gmsh_elements(2) + n_gmsh_elements(3) == 0)
         throw InputError(found,
                          "Give a complete mesh or geometry in a format that "
                          "gmsh reads.");
       throw InputError(found,
-                       "Set Dimension = " +
-                         std::to_string(n_gmsh_elements(3) > 0 ? 3 : 2) +
-                         ", or give another mesh.");
+                       advice_on_dimension(n_gmsh_elements(3) > 0 ? 3 : 2));
     }
 
     std::optional<Announced>

@@ -10,9 +10,9 @@
 
 namespace springfit
 {
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<MaterialRow>
-  material_table(const Mesh<dim> &mesh)
+  material_table(const Mesh<dim, spacedim> &mesh)
   {
     std::map<dealii::types::material_id, MaterialRow> rows;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -34,9 +34,9 @@ namespace springfit
   }
 
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::set<dealii::types::material_id>
-  find_materials(const Mesh<dim> &mesh,
+  find_materials(const Mesh<dim, spacedim> &mesh,
                  const std::string &id_or_name,
                  const std::string &entry)
   {
@@ -69,9 +69,13 @@ namespace springfit
   template std::vector<MaterialRow>
   material_table(const Mesh<2> &);
   template std::vector<MaterialRow>
+  material_table(const Mesh<2, 3> &);
+  template std::vector<MaterialRow>
   material_table(const Mesh<3> &);
   template std::set<dealii::types::material_id>
   find_materials(const Mesh<2> &, const std::string &, const std::string &);
+  template std::set<dealii::types::material_id>
+  find_materials(const Mesh<2, 3> &, const std::string &, const std::string &);
   template std::set<dealii::types::material_id>
   find_materials(const Mesh<3> &, const std::string &, const std::string &);
   template std::string

@@ -9,7 +9,8 @@ namespace springfit
     static const std::vector<Object> table = {
       {"box",
        "from the origin to Size; boundaries 0 'x min', 1 'x max', 2 'y min', "
-       "3 'y max', 4 'z min', 5 'z max'",
+       "3 'y max', 4 'z min', 5 'z max'; of triangles in 3-d a sheet in the "
+       "plane z = 0 with two extents",
        {{2, {0.02, 0.02}}, {3, {0.02, 0.02, 0.02}}},
        &check_box,
        nullptr,
@@ -57,6 +58,16 @@ namespace springfit
        &check_single_cell,
        nullptr,
        &describe_single_cell},
+      {"ventricle floor",
+       "in 3-d, of triangles: the membrane of Natsupakpong and Cavusoglu's "
+       "(2010) simulation of neurosurgery, 558 nodes and 1050 triangles in a "
+       "bowl z = - depth (1 - rho^2) over an ellipse about the origin, with "
+       "rho = 1 on the rim, boundary 0 'rim'; its Size is its extents along x "
+       "and y and its depth",
+       {{2, {0.02, 0.014, 0.003}}},
+       &check_ventricle_floor,
+       nullptr,
+       &describe_ventricle_floor},
       {"file",
        "the mesh or the geometry in File; its physical groups are its "
        "boundaries and materials",

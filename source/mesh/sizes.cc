@@ -22,11 +22,15 @@ namespace springfit
                   const int dim,
                   const std::string &object)
   {
+    if (request.dim != dim && request.spacedim == dim)
+      throw EntryError("Geometry/Cells",
+                       object + " is no surface in space.",
+                       "Set it to tetrahedra or hexahedra, or take a box.");
     if (request.dim != dim)
       throw EntryError("Geometry/Object",
                        object + " is an object of dimension " +
                          std::to_string(dim) + ", the scene has dimension " +
-                         std::to_string(request.dim) + ".",
+                         std::to_string(request.spacedim) + ".",
                        "Set Dimension to " + std::to_string(dim) +
                          ", or take a box.");
   }

@@ -2,8 +2,10 @@
 #include <springfit/motion/dynamics.h>
 #include <springfit/response/statements.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 
 namespace springfit
@@ -42,6 +44,40 @@ namespace springfit
                          "Give a number from 0 on.");
     }
 
+    /** A finite number, or nothing. */
+    std::optional<double>
+    number_in(const std::string &text)
+    {
+      char *end            = nullptr;
+      const double value   = std::strtod(text.c_str(), &end);
+      const bool is_number = end != text.c_str() && *end == '\0';
+      if (!is_number || !std::isfinite(value))
+        return {};
+      return value;
+    }
+
+    Opening
+    opening(const Statement &statement, const double begin, const double end)
+    {
+      const std::string entry = full_name("Openings");
+      const auto time         = statement.values.size() == 1
+                                  ? number_in(statement.values[0])
+                                  : std::nullopt;
+      const Opening opening{condition_of(statement.place), time.value_or(0.)};
+      if (!time || opening.condition.empty() || !statement.load_case.empty())
+        throw EntryError(entry,
+                         "'" + statement.place +
+                           "' is no condition with a time.",
+                         "Write \"where x < 0.01: 0.2\", with a time in s.");
+      if (!(opening.time >= begin && opening.time < end))
+        throw EntryError(entry,
+                         text_of(opening.time) +
+                           " s is no time of the motion, which goes from " +
+                           text_of(begin) + " to " + text_of(end) + " s.",
+                         "Give one between them.");
+      return opening;
+    }
+
     template <int dim>
     NamedPoint<dim>
     named_point(const Statement &statement)
@@ -64,12 +100,10 @@ namespace springfit
         throw wrong;
       for (int d = 0; d < dim; ++d)
         {
-          char *end            = nullptr;
-          const char *begin    = statement.values[d].c_str();
-          point.place[d]       = std::strtod(begin, &end);
-          const bool is_number = end != begin && *end == '\0';
-          if (!is_number || !std::isfinite(point.place[d]))
+          const auto coordinate = number_in(statement.values[d]);
+          if (!coordinate)
             throw wrong;
+          point.place[d] = *coordinate;
         }
       return point;
     }
@@ -176,6 +210,12 @@ namespace springfit
                   "Of tension, compression, shear and torsion, as an "
                   "expression of t in s (no unit), such as \"min(t / 0.1, "
                   "1)\". Other loads are expressions of t themselves.");
+    add_parameter("Openings",
+                  openings_,
+                  "Cells that are taken out when something cuts or pierces "
+                  "the body, by a condition that all of their vertices meet at "
+                  "rest (m) and a time in s, between semicolons: \"where "
+                  "x * x + y * y < 1e-6: 0.2\".");
   }
 
   template <int dim>
@@ -258,6 +298,14 @@ namespace springfit
       settings.points.push_back(named_point<dim>(statement));
     settings.boundaries  = split_at_commas(boundaries_);
     settings.load_factor = load_factor_;
+    for (const auto &statement :
+         parse_statements(openings_, full_name("Openings")))
+      settings.openings.push_back(opening(statement, begin_, end_));
+    std::stable_sort(settings.openings.begin(),
+                     settings.openings.end(),
+                     [](const Opening &a, const Opening &b) {
+                       return a.time < b.time;
+                     });
     return settings;
   }
 

@@ -5,9 +5,10 @@
 
 namespace springfit
 {
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  write_cells(const std::filesystem::path &folder, const Mesh<dim> &mesh)
+  write_cells(const std::filesystem::path &folder,
+              const Mesh<dim, spacedim> &mesh)
   {
     std::string header = "v0";
     for (int v = 1; v < n_vertices(mesh.cell_kind); ++v)
@@ -53,6 +54,8 @@ namespace springfit
 
   template void
   write_cells<2>(const std::filesystem::path &, const Mesh<2> &);
+  template void
+  write_cells<2, 3>(const std::filesystem::path &, const Mesh<2, 3> &);
   template void
   write_cells<3>(const std::filesystem::path &, const Mesh<3> &);
 } // namespace springfit

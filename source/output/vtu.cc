@@ -72,18 +72,33 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
   write_mesh_vtu(const std::filesystem::path &path,
-                 const Mesh<dim> &mesh,
+                 const Mesh<dim, spacedim> &mesh,
                  const std::vector<NodalField> &fields)
   {
-    const auto components = describe(fields, dim);
-    std::vector<dealii::DataOutBase::Patch<dim, dim>> patches;
+    write_mesh_vtu(path,
+                   mesh,
+                   std::vector<bool>(mesh.triangulation.n_active_cells(), true),
+                   fields);
+  }
+
+  template <int dim, int spacedim>
+  void
+  write_mesh_vtu(const std::filesystem::path &path,
+                 const Mesh<dim, spacedim> &mesh,
+                 const std::vector<bool> &cells,
+                 const std::vector<NodalField> &fields)
+  {
+    const auto components = describe(fields, spacedim);
+    std::vector<dealii::DataOutBase::Patch<dim, spacedim>> patches;
     patches.reserve(mesh.triangulation.n_active_cells());
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
-        dealii::DataOutBase::Patch<dim, dim> patch;
+        if (!cells[cell->active_cell_index()])
+          continue;
+        dealii::DataOutBase::Patch<dim, spacedim> patch;
         patch.reference_cell = cell->reference_cell();
         patch.patch_index    = patches.size();
         patch.data.reinit(components.names.size(), cell->n_vertices());
@@ -147,8 +162,27 @@ namespace springfit
                     const Mesh<2> &,
                     const std::vector<NodalField> &);
   template void
+  write_mesh_vtu<2>(const std::filesystem::path &,
+                    const Mesh<2> &,
+                    const std::vector<bool> &,
+                    const std::vector<NodalField> &);
+  template void
+  write_mesh_vtu<2, 3>(const std::filesystem::path &,
+                       const Mesh<2, 3> &,
+                       const std::vector<NodalField> &);
+  template void
+  write_mesh_vtu<2, 3>(const std::filesystem::path &,
+                       const Mesh<2, 3> &,
+                       const std::vector<bool> &,
+                       const std::vector<NodalField> &);
+  template void
   write_mesh_vtu<3>(const std::filesystem::path &,
                     const Mesh<3> &,
+                    const std::vector<NodalField> &);
+  template void
+  write_mesh_vtu<3>(const std::filesystem::path &,
+                    const Mesh<3> &,
+                    const std::vector<bool> &,
                     const std::vector<NodalField> &);
   template void
   write_springs_vtu<2>(const std::filesystem::path &,

@@ -1,5 +1,8 @@
 #include <springfit/reference/cell_energy.h>
+#include <springfit/reference/cell_frame.h>
+#include <springfit/reference/membrane_state.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -42,11 +45,36 @@ namespace springfit
         }
       throw std::logic_error("the linear law has no hyperelastic state");
     }
+
+    std::optional<MembraneState>
+    material_state(const MaterialLaw law,
+                   const Eigen::Matrix<double, 3, 2> &F,
+                   const CellMaterial &material)
+    {
+      return membrane_state(
+        [&](const Eigen::Matrix2d &U) {
+          return material_state<2>(law, U, material);
+        },
+        F);
+    }
+
+    template <int dim>
+    double
+    jacobian(const Tensor<dim> &F)
+    {
+      return F.determinant();
+    }
+
+    double
+    jacobian(const Eigen::Matrix<double, 3, 2> &F)
+    {
+      return F.col(0).cross(F.col(1)).norm();
+    }
   } // namespace
 
-  template <int dim>
-  CellEnergy<dim>::CellEnergy(const Element<dim> &element,
-                              const MaterialLaw law)
+  template <int dim, int spacedim>
+  CellEnergy<dim, spacedim>::CellEnergy(const Element<dim, spacedim> &element,
+                                        const MaterialLaw law)
     : law_(law)
     , matrices_(element)
     , values_(*element.mapping,
@@ -55,64 +83,69 @@ namespace springfit
               dealii::update_gradients | dealii::update_JxW_values)
   {}
 
-  template <int dim>
-  Tensor<dim>
-  CellEnergy<dim>::deformation_gradient(const Eigen::MatrixXd &displacement,
-                                        const unsigned int q) const
+  template <int dim, int spacedim>
+  Eigen::MatrixXd
+  CellEnergy<dim, spacedim>::gradients(const Frame &frame,
+                                       const unsigned int q) const
   {
-    Tensor<dim> F = Tensor<dim>::Identity();
+    Eigen::MatrixXd gradients(spacedim, values_.dofs_per_cell);
     for (const unsigned int a : values_.dof_indices())
-      for (int d = 0; d < dim; ++d)
-        F.col(d) += values_.shape_grad(a, q)[d] * displacement.col(a);
-    return F;
+      for (int d = 0; d < spacedim; ++d)
+        gradients(d, a) = values_.shape_grad(a, q)[d];
+    if constexpr (dim == spacedim)
+      return gradients;
+    else
+      return frame.transpose() * gradients;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::optional<EnergyTerm>
-  CellEnergy<dim>::evaluate(const Cell &cell,
-                            const CellMaterial &material,
-                            const Eigen::MatrixXd &displacement)
+  CellEnergy<dim, spacedim>::evaluate(const Cell &cell,
+                                      const CellMaterial &material,
+                                      const Eigen::MatrixXd &displacement)
   {
     if (law_ != MaterialLaw::linear)
       return evaluate_hyperelastic(cell, material, displacement);
     EnergyTerm term;
     for (const unsigned int v : cell->vertex_indices())
       term.nodes.push_back(cell->vertex_index(v));
-    term.hessian  = matrices_.stiffness(cell, material);
+    term.hessian  = in_space<dim, spacedim>(cell_frame<dim, spacedim>(cell),
+                                           matrices_.stiffness(cell, material));
     term.gradient = term.hessian * displacement.reshaped();
     term.energy   = 0.5 * term.gradient.dot(displacement.reshaped());
     return term;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::optional<EnergyTerm>
-  CellEnergy<dim>::evaluate_hyperelastic(const Cell &cell,
-                                         const CellMaterial &material,
-                                         const Eigen::MatrixXd &displacement)
+  CellEnergy<dim, spacedim>::evaluate_hyperelastic(
+    const Cell &cell,
+    const CellMaterial &material,
+    const Eigen::MatrixXd &displacement)
   {
     values_.reinit(cell);
+    const Frame frame    = cell_frame<dim, spacedim>(cell);
     const unsigned int n = values_.dofs_per_cell;
     EnergyTerm term;
     for (const unsigned int v : cell->vertex_indices())
       term.nodes.push_back(cell->vertex_index(v));
     term.energy   = 0.;
-    term.gradient = Eigen::VectorXd::Zero(dim * n);
-    term.hessian  = Eigen::MatrixXd::Zero(dim * n, dim * n);
+    term.gradient = Eigen::VectorXd::Zero(spacedim * n);
+    term.hessian  = Eigen::MatrixXd::Zero(spacedim * n, spacedim * n);
 
     // G: the change of F, in columns, is G delta u.
-    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(dim * dim, dim * n);
+    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(spacedim * dim, spacedim * n);
     for (const unsigned int q : values_.quadrature_point_indices())
       {
-        const auto state =
-          material_state<dim>(law_,
-                              deformation_gradient(displacement, q),
-                              material);
+        const Eigen::MatrixXd g = gradients(frame, q);
+        const Frame F           = frame + displacement * g.transpose();
+        const auto state        = material_state(law_, F, material);
         if (!state)
           return {};
         for (unsigned int a = 0; a < n; ++a)
-          for (int i = 0; i < dim; ++i)
+          for (int i = 0; i < spacedim; ++i)
             for (int k = 0; k < dim; ++k)
-              G(i + dim * k, dim * a + i) = values_.shape_grad(a, q)[k];
+              G(i + spacedim * k, spacedim * a + i) = g(k, a);
 
         const double weight = values_.JxW(q) * material.thickness;
         term.energy += weight * state->energy;
@@ -122,19 +155,24 @@ namespace springfit
     return term;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   double
-  CellEnergy<dim>::smallest_jacobian(const Cell &cell,
-                                     const Eigen::MatrixXd &displacement)
+  CellEnergy<dim, spacedim>::smallest_jacobian(
+    const Cell &cell,
+    const Eigen::MatrixXd &displacement)
   {
     values_.reinit(cell);
-    double smallest = std::numeric_limits<double>::max();
+    const Frame frame = cell_frame<dim, spacedim>(cell);
+    double smallest   = std::numeric_limits<double>::max();
     for (const unsigned int q : values_.quadrature_point_indices())
-      smallest =
-        std::min(smallest, deformation_gradient(displacement, q).determinant());
+      {
+        const Frame F = frame + displacement * gradients(frame, q).transpose();
+        smallest      = std::min(smallest, jacobian(F));
+      }
     return smallest;
   }
 
   template class CellEnergy<2>;
+  template class CellEnergy<2, 3>;
   template class CellEnergy<3>;
 } // namespace springfit

@@ -8,21 +8,21 @@
 
 namespace springfit
 {
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::SparseMatrix<double>
-  consistent_mass(const Mesh<dim> &mesh,
-                  const Element<dim> &element,
+  consistent_mass(const Mesh<dim, spacedim> &mesh,
+                  const Element<dim, spacedim> &element,
                   const MaterialTable &materials)
   {
     const dealii::Quadrature<dim> quadrature =
       is_simplex(mesh.cell_kind)
         ? dealii::Quadrature<dim>(dealii::QGaussSimplex<dim>(2))
         : dealii::Quadrature<dim>(dealii::QGauss<dim>(2));
-    dealii::FEValues<dim> values(*element.mapping,
-                                 *element.scalar,
-                                 quadrature,
-                                 dealii::update_values |
-                                   dealii::update_JxW_values);
+    dealii::FEValues<dim, spacedim> values(*element.mapping,
+                                           *element.scalar,
+                                           quadrature,
+                                           dealii::update_values |
+                                             dealii::update_JxW_values);
     std::vector<Eigen::Triplet<double>> entries;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
@@ -49,6 +49,10 @@ namespace springfit
 
   template Eigen::SparseMatrix<double>
   consistent_mass(const Mesh<2> &, const Element<2> &, const MaterialTable &);
+  template Eigen::SparseMatrix<double>
+  consistent_mass(const Mesh<2, 3> &,
+                  const Element<2, 3> &,
+                  const MaterialTable &);
   template Eigen::SparseMatrix<double>
   consistent_mass(const Mesh<3> &, const Element<3> &, const MaterialTable &);
 } // namespace springfit

@@ -81,8 +81,8 @@ namespace springfit
     return {E * nu / (1. - nu * nu), E / (2. * (1. + nu))};
   }
 
-  template <int dim>
-  Material<dim>::Material() : dealii::ParameterAcceptor("Material")
+  template <int spacedim>
+  Material<spacedim>::Material() : dealii::ParameterAcceptor("Material")
   {
     const std::string several =
       " One number, or \"material id: value, ...\" with ids or physical names "
@@ -102,16 +102,17 @@ namespace springfit
     add_parameter("Plane state",
                   plane_state_word_,
                   "2-d only: " + join(words_of(plane_state_words()), " or ") +
-                    " (no unit).");
+                    " (no unit). Surfaces in space are in plane stress.");
     add_parameter("Thickness",
                   thickness_,
-                  "2-d only: thickness h in m, positive.");
+                  "2-d and surfaces in space only: thickness h in m, "
+                  "positive.");
     parse_parameters_call_back.connect([this]() { check(); });
   }
 
-  template <int dim>
-  typename Material<dim>::Constant
-  Material<dim>::parse(const std::string &entry, const std::string &text)
+  template <int spacedim>
+  typename Material<spacedim>::Constant
+  Material<spacedim>::parse(const std::string &entry, const std::string &text)
   {
     Constant constant{entry, {}};
     const auto pieces = split_at_commas(text);
@@ -138,9 +139,9 @@ namespace springfit
     return constant;
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Material<dim>::check()
+  Material<spacedim>::check()
   {
     youngs_modulus_ = parse("Material/Young's modulus", youngs_modulus_text_);
     poissons_ratio_ = parse("Material/Poisson's ratio", poissons_ratio_text_);
@@ -159,10 +160,10 @@ namespace springfit
                        "Give a thickness in m.");
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Material<dim>::check_youngs_modulus(const double modulus,
-                                      const std::string &entry) const
+  Material<spacedim>::check_youngs_modulus(const double modulus,
+                                           const std::string &entry) const
   {
     check_is_positive(modulus, entry);
     // Wider than any material, and far from where squares leave the numbers.
@@ -174,14 +175,14 @@ namespace springfit
                          text_of(largest) + " (in Pa).");
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Material<dim>::check_poissons_ratio(const double ratio,
-                                      const std::string &entry) const
+  Material<spacedim>::check_poissons_ratio(const double ratio,
+                                           const std::string &entry) const
   {
     // The word is checked in 3-d as well.
     const bool plane_stress = plane_state() == PlaneState::stress;
-    const bool half_allowed = dim == 2 && plane_stress;
+    const bool half_allowed = spacedim == 2 && plane_stress;
     if (!(ratio > -1. && (ratio < 0.5 || (half_allowed && ratio == 0.5))))
       throw EntryError(entry,
                        text_of(ratio) + " is out of range.",
@@ -191,20 +192,21 @@ namespace springfit
                                          "in plane stress only)."));
   }
 
-  template <int dim>
+  template <int spacedim>
   PlaneState
-  Material<dim>::plane_state() const
+  Material<spacedim>::plane_state() const
   {
     return value_of(plane_state_words(),
                     plane_state_word_,
                     "Material/Plane state");
   }
 
+  template <int spacedim>
   template <int dim>
   double
-  Material<dim>::value(const Constant &constant,
-                       const Mesh<dim> &mesh,
-                       const dealii::types::material_id id)
+  Material<spacedim>::value(const Constant &constant,
+                            const Mesh<dim, spacedim> &mesh,
+                            const dealii::types::material_id id)
   {
     const double *found = nullptr;
     for (const auto &[name, value] : constant.by_name)
@@ -230,10 +232,16 @@ namespace springfit
                      "Add \"" + std::to_string(id) + ": value\".");
   }
 
+  template <int spacedim>
   template <int dim>
   MaterialTable
-  Material<dim>::resolve(const Mesh<dim> &mesh) const
+  Material<spacedim>::resolve(const Mesh<dim, spacedim> &mesh) const
   {
+    if (dim < spacedim && plane_state() != PlaneState::stress)
+      throw EntryError("Material/Plane state",
+                       "a surface in space is in plane stress.",
+                       "Set it to stress.");
+
     // Every name must be there, even one that no cell happens to ask for.
     for (const Constant *constant :
          {&youngs_modulus_, &poissons_ratio_, &density_})
@@ -247,16 +255,17 @@ namespace springfit
         const auto id = cell->material_id();
         if (table.count(id) > 0)
           continue;
-        table[id] = with_constants({value(youngs_modulus_, mesh, id),
-                                    value(poissons_ratio_, mesh, id),
-                                    value(density_, mesh, id)});
+        table[id] = with_constants<dim>({value(youngs_modulus_, mesh, id),
+                                         value(poissons_ratio_, mesh, id),
+                                         value(density_, mesh, id)});
       }
     return table;
   }
 
+  template <int spacedim>
   template <int dim>
   CellMaterial
-  Material<dim>::with_constants(const ElasticConstants &constants) const
+  Material<spacedim>::with_constants(const ElasticConstants &constants) const
   {
     const bool plane_stress = dim == 2 && plane_state() == PlaneState::stress;
     return {constants,
@@ -268,4 +277,16 @@ namespace springfit
 
   template class Material<2>;
   template class Material<3>;
+  template MaterialTable
+  Material<2>::resolve(const Mesh<2> &) const;
+  template MaterialTable
+  Material<3>::resolve(const Mesh<2, 3> &) const;
+  template MaterialTable
+  Material<3>::resolve(const Mesh<3> &) const;
+  template CellMaterial
+  Material<2>::with_constants<2>(const ElasticConstants &) const;
+  template CellMaterial
+  Material<3>::with_constants<2>(const ElasticConstants &) const;
+  template CellMaterial
+  Material<3>::with_constants<3>(const ElasticConstants &) const;
 } // namespace springfit

@@ -3,13 +3,13 @@
 
 namespace springfit
 {
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::VectorXd
-  nodal_masses(const Mesh<dim> &mesh,
-               const Element<dim> &element,
+  nodal_masses(const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                const MaterialTable &materials)
   {
-    CellMatrices<dim> matrices(element);
+    CellMatrices<dim, spacedim> matrices(element);
     Eigen::VectorXd masses =
       Eigen::VectorXd::Zero(mesh.triangulation.n_vertices());
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -24,6 +24,10 @@ namespace springfit
 
   template Eigen::VectorXd
   nodal_masses(const Mesh<2> &, const Element<2> &, const MaterialTable &);
+  template Eigen::VectorXd
+  nodal_masses(const Mesh<2, 3> &,
+               const Element<2, 3> &,
+               const MaterialTable &);
   template Eigen::VectorXd
   nodal_masses(const Mesh<3> &, const Element<3> &, const MaterialTable &);
 } // namespace springfit

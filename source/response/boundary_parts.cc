@@ -7,11 +7,11 @@ namespace springfit
 {
   namespace
   {
-    template <int dim, typename Condition>
-    Faces<dim>
-    selected_faces(const Mesh<dim> &mesh, const Condition &condition)
+    template <int dim, int spacedim, typename Condition>
+    Faces<dim, spacedim>
+    selected_faces(const Mesh<dim, spacedim> &mesh, const Condition &condition)
     {
-      Faces<dim> faces;
+      Faces<dim, spacedim> faces;
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && condition(cell->face(f)))
@@ -20,9 +20,9 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
-  Faces<dim>
-  faces_of_boundaries(const Mesh<dim> &mesh,
+  template <int dim, int spacedim>
+  Faces<dim, spacedim>
+  faces_of_boundaries(const Mesh<dim, spacedim> &mesh,
                       const std::string &boundaries,
                       const std::string &entry)
   {
@@ -32,13 +32,13 @@ namespace springfit
     });
   }
 
-  template <int dim>
-  Faces<dim>
-  faces_where(const Mesh<dim> &mesh,
+  template <int dim, int spacedim>
+  Faces<dim, spacedim>
+  faces_where(const Mesh<dim, spacedim> &mesh,
               const std::string &condition,
               const std::string &entry)
   {
-    const Region<dim> region(condition, entry);
+    const Region<spacedim> region(condition, entry);
     return selected_faces(mesh, [&](const auto &face) {
       for (const unsigned int v : face->vertex_indices())
         if (!region.contains(face->vertex(v)))
@@ -47,9 +47,10 @@ namespace springfit
     });
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<bool>
-  nodes_of_faces(const Mesh<dim> &mesh, const Faces<dim> &faces)
+  nodes_of_faces(const Mesh<dim, spacedim> &mesh,
+                 const Faces<dim, spacedim> &faces)
   {
     std::vector<bool> nodes(mesh.triangulation.n_vertices(), false);
     for (const auto &[cell, number] : faces)
@@ -58,13 +59,13 @@ namespace springfit
     return nodes;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<bool>
-  nodes_where(const Mesh<dim> &mesh,
+  nodes_where(const Mesh<dim, spacedim> &mesh,
               const std::string &condition,
               const std::string &entry)
   {
-    const Region<dim> region(condition, entry);
+    const Region<spacedim> region(condition, entry);
     const auto &vertices = mesh.triangulation.get_vertices();
     std::vector<bool> nodes(vertices.size());
     for (unsigned int v = 0; v < vertices.size(); ++v)
@@ -82,14 +83,24 @@ namespace springfit
   nodes_of_faces(const Mesh<2> &, const Faces<2> &);
   template std::vector<bool>
   nodes_where(const Mesh<2> &, const std::string &, const std::string &);
+  template Faces<2, 3>
+  faces_of_boundaries(const Mesh<2, 3> &,
+                      const std::string &,
+                      const std::string &);
   template Faces<3>
   faces_of_boundaries(const Mesh<3> &,
                       const std::string &,
                       const std::string &);
+  template Faces<2, 3>
+  faces_where(const Mesh<2, 3> &, const std::string &, const std::string &);
   template Faces<3>
   faces_where(const Mesh<3> &, const std::string &, const std::string &);
   template std::vector<bool>
+  nodes_of_faces(const Mesh<2, 3> &, const Faces<2, 3> &);
+  template std::vector<bool>
   nodes_of_faces(const Mesh<3> &, const Faces<3> &);
+  template std::vector<bool>
+  nodes_where(const Mesh<2, 3> &, const std::string &, const std::string &);
   template std::vector<bool>
   nodes_where(const Mesh<3> &, const std::string &, const std::string &);
 } // namespace springfit

@@ -28,11 +28,11 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
-  typename LoadedSurface<dim>::Traction
+  template <int dim, int spacedim>
+  typename LoadedSurface<dim, spacedim>::Traction
   unit_traction(const Load load,
-                const dealii::Tensor<1, dim> &axis,
-                const LoadedSurface<dim> &surface)
+                const dealii::Tensor<1, spacedim> &axis,
+                const LoadedSurface<dim, spacedim> &surface)
   {
     switch (load)
       {
@@ -48,8 +48,8 @@ namespace springfit
           return [axis,
                   centroid = surface.centroid(),
                   radius   = surface.radius()](const auto &point) {
-            dealii::Tensor<1, dim> traction;
-            if constexpr (dim == 3)
+            dealii::Tensor<1, spacedim> traction;
+            if constexpr (spacedim == 3)
               traction =
                 dealii::cross_product_3d(axis, point - centroid) / radius;
             return traction;
@@ -59,6 +59,10 @@ namespace springfit
 
   template LoadedSurface<2>::Traction
   unit_traction(Load, const dealii::Tensor<1, 2> &, const LoadedSurface<2> &);
+  template LoadedSurface<2, 3>::Traction
+  unit_traction(Load,
+                const dealii::Tensor<1, 3> &,
+                const LoadedSurface<2, 3> &);
   template LoadedSurface<3>::Traction
   unit_traction(Load, const dealii::Tensor<1, 3> &, const LoadedSurface<3> &);
 } // namespace springfit

@@ -18,7 +18,7 @@ namespace springfit
     near_null_space(const Discretization<dim> &discretization,
                     const typename Discretization<dim>::Matrix &matrix)
     {
-      const auto &vertices = discretization.mesh().triangulation.get_vertices();
+      const auto &vertices = discretization.nodes();
       Eigen::MatrixXd points(dim, vertices.size());
       for (unsigned int v = 0; v < vertices.size(); ++v)
         for (int d = 0; d < dim; ++d)

@@ -2,6 +2,7 @@
 #include <springfit/response/discretization.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_system.h>
@@ -10,28 +11,30 @@
 namespace springfit
 {
   template <int dim>
-  Discretization<dim>::Discretization(const Mesh<dim> &mesh,
+  template <int dim_of_cells>
+  Discretization<dim>::Discretization(const Mesh<dim_of_cells, dim> &mesh,
                                       const std::vector<bool> &held,
                                       const MPI_Comm communicator)
-    : mesh_(mesh)
+    : nodes_(mesh.triangulation.get_vertices())
     , held_(held)
     , communicator_(communicator)
-    , dof_handler_(mesh.triangulation)
   {
-    const auto element = make_element<dim>(mesh.cell_kind);
-    dof_handler_.distribute_dofs(dealii::FESystem<dim>(*element.scalar, dim));
-    dealii::DoFRenumbering::subdomain_wise(dof_handler_);
+    const auto element = make_element<dim_of_cells, dim>(mesh.cell_kind);
+    dealii::DoFHandler<dim_of_cells, dim> dof_handler(mesh.triangulation);
+    dof_handler.distribute_dofs(
+      dealii::FESystem<dim_of_cells, dim>(*element.scalar, dim));
+    dealii::DoFRenumbering::subdomain_wise(dof_handler);
 
     const unsigned int rank =
       dealii::Utilities::MPI::this_mpi_process(communicator);
     const auto owned_by_rank =
-      dealii::DoFTools::locally_owned_dofs_per_subdomain(dof_handler_);
+      dealii::DoFTools::locally_owned_dofs_per_subdomain(dof_handler);
     locally_owned_ = rank < owned_by_rank.size()
                        ? owned_by_rank[rank]
-                       : dealii::IndexSet(dof_handler_.n_dofs());
+                       : dealii::IndexSet(dof_handler.n_dofs());
 
     dofs_.resize(dim * n_nodes());
-    for (const auto &cell : dof_handler_.active_cell_iterators())
+    for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
         for (int d = 0; d < dim; ++d)
           dofs_[dim * cell->vertex_index(v) + d] = cell->vertex_dof_index(v, d);
@@ -43,20 +46,18 @@ namespace springfit
     constraints_.close();
 
     // Every rank knows all cells, and with them all entries of its own rows.
-    pattern_.reinit(dof_handler_.n_dofs(),
-                    dof_handler_.n_dofs(),
-                    locally_owned_);
-    dealii::DoFTools::make_sparsity_pattern(dof_handler_,
+    pattern_.reinit(dof_handler.n_dofs(), dof_handler.n_dofs(), locally_owned_);
+    dealii::DoFTools::make_sparsity_pattern(dof_handler,
                                             pattern_,
                                             constraints_,
                                             /*keep_constrained_dofs*/ true);
   }
 
   template <int dim>
-  const Mesh<dim> &
-  Discretization<dim>::mesh() const
+  const std::vector<dealii::Point<dim>> &
+  Discretization<dim>::nodes() const
   {
-    return mesh_;
+    return nodes_;
   }
 
   template <int dim>
@@ -70,7 +71,7 @@ namespace springfit
   unsigned int
   Discretization<dim>::n_nodes() const
   {
-    return mesh_.triangulation.n_vertices();
+    return nodes_.size();
   }
 
   template <int dim>
@@ -147,4 +148,13 @@ namespace springfit
 
   template class Discretization<2>;
   template class Discretization<3>;
+  template Discretization<2>::Discretization(const Mesh<2> &,
+                                             const std::vector<bool> &,
+                                             MPI_Comm);
+  template Discretization<3>::Discretization(const Mesh<2, 3> &,
+                                             const std::vector<bool> &,
+                                             MPI_Comm);
+  template Discretization<3>::Discretization(const Mesh<3> &,
+                                             const std::vector<bool> &,
+                                             MPI_Comm);
 } // namespace springfit

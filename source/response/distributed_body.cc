@@ -27,10 +27,9 @@ namespace springfit
                        const Eigen::MatrixXd &displacement)
     {
       double farthest = displacement.cwiseAbs().maxCoeff();
-      for (const auto &vertex :
-           discretization.mesh().triangulation.get_vertices())
+      for (const auto &node : discretization.nodes())
         for (int d = 0; d < dim; ++d)
-          farthest = std::max(farthest, std::abs(vertex[d]));
+          farthest = std::max(farthest, std::abs(node[d]));
       return std::numeric_limits<double>::epsilon() * farthest;
     }
   } // namespace

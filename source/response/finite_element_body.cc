@@ -23,11 +23,11 @@ namespace springfit
       return of_cell;
     }
 
-    template <int dim>
-    std::vector<typename CellEnergy<dim>::Cell>
-    all_cells(const Mesh<dim> &mesh)
+    template <int dim, int spacedim>
+    std::vector<typename CellEnergy<dim, spacedim>::Cell>
+    all_cells(const Mesh<dim, spacedim> &mesh)
     {
-      std::vector<typename CellEnergy<dim>::Cell> cells;
+      std::vector<typename CellEnergy<dim, spacedim>::Cell> cells;
       for (const auto &cell : mesh.triangulation.active_cell_iterators())
         cells.push_back(cell);
       return cells;
@@ -100,19 +100,21 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
-  FiniteElementBody<dim>::FiniteElementBody(const Mesh<dim> &mesh,
-                                            const Element<dim> &element,
-                                            const MaterialTable &materials,
-                                            const MaterialLaw law)
+  template <int dim, int spacedim>
+  FiniteElementBody<dim, spacedim>::FiniteElementBody(
+    const Mesh<dim, spacedim> &mesh,
+    const Element<dim, spacedim> &element,
+    const MaterialTable &materials,
+    const MaterialLaw law)
     : FiniteElementBody(all_cells(mesh), element, materials, law)
   {}
 
-  template <int dim>
-  FiniteElementBody<dim>::FiniteElementBody(std::vector<Cell> cells,
-                                            const Element<dim> &element,
-                                            const MaterialTable &materials,
-                                            const MaterialLaw law)
+  template <int dim, int spacedim>
+  FiniteElementBody<dim, spacedim>::FiniteElementBody(
+    std::vector<Cell> cells,
+    const Element<dim, spacedim> &element,
+    const MaterialTable &materials,
+    const MaterialLaw law)
     : cells_(std::move(cells))
     , element_(element)
     , materials_(materials)
@@ -120,11 +122,12 @@ namespace springfit
     , energy_(element, law)
   {}
 
-  template <int dim>
+  template <int dim, int spacedim>
   template <typename F>
   void
-  FiniteElementBody<dim>::for_each_term(const Eigen::MatrixXd &displacement,
-                                        const F &f) const
+  FiniteElementBody<dim, spacedim>::for_each_term(
+    const Eigen::MatrixXd &displacement,
+    const F &f) const
   {
     for (const auto &cell : cells_)
       {
@@ -136,9 +139,10 @@ namespace springfit
       }
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   double
-  FiniteElementBody<dim>::energy(const Eigen::MatrixXd &displacement) const
+  FiniteElementBody<dim, spacedim>::energy(
+    const Eigen::MatrixXd &displacement) const
   {
     double sum = 0.;
     for (const auto &cell : cells_)
@@ -153,64 +157,66 @@ namespace springfit
     return sum;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  FiniteElementBody<dim>::add_forces(const Eigen::MatrixXd &displacement,
-                                     Eigen::MatrixXd &forces) const
+  FiniteElementBody<dim, spacedim>::add_forces(
+    const Eigen::MatrixXd &displacement,
+    Eigen::MatrixXd &forces) const
   {
     for_each_term(displacement, [&](const EnergyTerm &term) {
       for (std::size_t a = 0; a < term.nodes.size(); ++a)
         forces.col(term.nodes[a]) -=
-          term.gradient.template segment<dim>(dim * a);
+          term.gradient.template segment<spacedim>(spacedim * a);
     });
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  FiniteElementBody<dim>::add_tangent_product(
+  FiniteElementBody<dim, spacedim>::add_tangent_product(
     const Eigen::MatrixXd &displacement,
     const Eigen::MatrixXd &u,
     Eigen::MatrixXd &product) const
   {
     for_each_term(displacement, [&](const EnergyTerm &term) {
-      add_products<dim>(term.nodes, term.hessian, u, product);
+      add_products<spacedim>(term.nodes, term.hessian, u, product);
     });
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::unique_ptr<TangentOperator>
-  FiniteElementBody<dim>::tangent_operator() const
+  FiniteElementBody<dim, spacedim>::tangent_operator() const
   {
-    return std::make_unique<CellsOperator<dim>>(
+    return std::make_unique<CellsOperator<spacedim>>(
       [this](const Eigen::MatrixXd &displacement, const auto &f) {
         for_each_term(displacement, f);
       });
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  FiniteElementBody<dim>::add_tangent(const Eigen::MatrixXd &displacement,
-                                      TangentMatrix &tangent) const
-  {
-    for_each_term(displacement, [&](const EnergyTerm &term) {
-      add_blocks<dim>(term.nodes, term.hessian, tangent);
-    });
-  }
-
-  template <int dim>
-  void
-  FiniteElementBody<dim>::add_convex_tangent(
+  FiniteElementBody<dim, spacedim>::add_tangent(
     const Eigen::MatrixXd &displacement,
     TangentMatrix &tangent) const
   {
     for_each_term(displacement, [&](const EnergyTerm &term) {
-      add_blocks<dim>(term.nodes, positive_part(term.hessian), tangent);
+      add_blocks<spacedim>(term.nodes, term.hessian, tangent);
     });
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  FiniteElementBody<dim>::add_to_pattern(NodePattern &pattern) const
+  FiniteElementBody<dim, spacedim>::add_convex_tangent(
+    const Eigen::MatrixXd &displacement,
+    TangentMatrix &tangent) const
+  {
+    for_each_term(displacement, [&](const EnergyTerm &term) {
+      add_blocks<spacedim>(term.nodes, positive_part(term.hessian), tangent);
+    });
+  }
+
+  template <int dim, int spacedim>
+  void
+  FiniteElementBody<dim, spacedim>::add_to_pattern(NodePattern &pattern) const
   {
     for (const auto &cell : cells_)
       {
@@ -221,23 +227,24 @@ namespace springfit
       }
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::unique_ptr<const BodyOfMembers>
-  FiniteElementBody<dim>::share(const std::vector<bool> &nodes) const
+  FiniteElementBody<dim, spacedim>::share(const std::vector<bool> &nodes) const
   {
     std::vector<Cell> mine;
     for (const auto &cell : cells_)
       if (nodes[cell->vertex_index(0)])
         mine.push_back(cell);
-    return std::make_unique<FiniteElementBody<dim>>(std::move(mine),
-                                                    element_,
-                                                    materials_,
-                                                    law_);
+    return std::make_unique<FiniteElementBody<dim, spacedim>>(std::move(mine),
+                                                              element_,
+                                                              materials_,
+                                                              law_);
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::unique_ptr<const BodyOfMembers>
-  FiniteElementBody<dim>::touching(const std::vector<bool> &nodes) const
+  FiniteElementBody<dim, spacedim>::touching(
+    const std::vector<bool> &nodes) const
   {
     std::vector<Cell> touching;
     for (const auto &cell : cells_)
@@ -247,19 +254,17 @@ namespace springfit
             touching.push_back(cell);
             break;
           }
-    return std::make_unique<FiniteElementBody<dim>>(std::move(touching),
-                                                    element_,
-                                                    materials_,
-                                                    law_);
+    return std::make_unique<FiniteElementBody<dim, spacedim>>(
+      std::move(touching), element_, materials_, law_);
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   unsigned int
-  n_inverted_cells(const Mesh<dim> &mesh,
-                   const Element<dim> &element,
+  n_inverted_cells(const Mesh<dim, spacedim> &mesh,
+                   const Element<dim, spacedim> &element,
                    const Eigen::MatrixXd &displacement)
   {
-    CellEnergy<dim> energy(element, MaterialLaw::linear);
+    CellEnergy<dim, spacedim> energy(element, MaterialLaw::linear);
     unsigned int n = 0;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       if (!(energy.smallest_jacobian(cell, on_vertices(displacement, cell)) >
@@ -269,11 +274,16 @@ namespace springfit
   }
 
   template class FiniteElementBody<2>;
+  template class FiniteElementBody<2, 3>;
   template class FiniteElementBody<3>;
   template unsigned int
   n_inverted_cells<2>(const Mesh<2> &,
                       const Element<2> &,
                       const Eigen::MatrixXd &);
+  template unsigned int
+  n_inverted_cells<2, 3>(const Mesh<2, 3> &,
+                         const Element<2, 3> &,
+                         const Eigen::MatrixXd &);
   template unsigned int
   n_inverted_cells<3>(const Mesh<3> &,
                       const Element<3> &,

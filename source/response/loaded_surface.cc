@@ -7,18 +7,19 @@
 
 namespace springfit
 {
-  template <int dim>
-  LoadedSurface<dim>::LoadedSurface(std::vector<Face> faces,
-                                    const Element<dim> &element)
+  template <int dim, int spacedim>
+  LoadedSurface<dim, spacedim>::LoadedSurface(
+    std::vector<Face> faces,
+    const Element<dim, spacedim> &element)
     : faces_(std::move(faces)), element_(element)
   {
-    dealii::FEFaceValues<dim> values(*element_.mapping,
-                                     *element_.scalar,
-                                     element_.face_quadrature,
-                                     dealii::update_quadrature_points |
-                                       dealii::update_normal_vectors |
-                                       dealii::update_JxW_values);
-    dealii::Tensor<1, dim> moment;
+    dealii::FEFaceValues<dim, spacedim> values(
+      *element_.mapping,
+      *element_.scalar,
+      element_.face_quadrature,
+      dealii::update_quadrature_points | dealii::update_normal_vectors |
+        dealii::update_JxW_values);
+    dealii::Tensor<1, spacedim> moment;
     for (const auto &face : faces_)
       {
         values.reinit(face.cell, face.number);
@@ -29,34 +30,34 @@ namespace springfit
             mean_normal_ += values.normal_vector(q) * values.JxW(q);
           }
       }
-    centroid_ = dealii::Point<dim>(moment / area_);
+    centroid_ = dealii::Point<spacedim>(moment / area_);
     mean_normal_ /= area_;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   double
-  LoadedSurface<dim>::area() const
+  LoadedSurface<dim, spacedim>::area() const
   {
     return area_;
   }
 
-  template <int dim>
-  dealii::Point<dim>
-  LoadedSurface<dim>::centroid() const
+  template <int dim, int spacedim>
+  dealii::Point<spacedim>
+  LoadedSurface<dim, spacedim>::centroid() const
   {
     return centroid_;
   }
 
-  template <int dim>
-  dealii::Tensor<1, dim>
-  LoadedSurface<dim>::mean_normal() const
+  template <int dim, int spacedim>
+  dealii::Tensor<1, spacedim>
+  LoadedSurface<dim, spacedim>::mean_normal() const
   {
     return mean_normal_;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   double
-  LoadedSurface<dim>::radius() const
+  LoadedSurface<dim, spacedim>::radius() const
   {
     double radius = 0.;
     for (const auto &[cell, number] : faces_)
@@ -66,15 +67,15 @@ namespace springfit
     return radius;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::VectorXd
-  LoadedSurface<dim>::shares(const unsigned int n_nodes) const
+  LoadedSurface<dim, spacedim>::shares(const unsigned int n_nodes) const
   {
-    dealii::FEFaceValues<dim> values(*element_.mapping,
-                                     *element_.scalar,
-                                     element_.face_quadrature,
-                                     dealii::update_values |
-                                       dealii::update_JxW_values);
+    dealii::FEFaceValues<dim, spacedim> values(*element_.mapping,
+                                               *element_.scalar,
+                                               element_.face_quadrature,
+                                               dealii::update_values |
+                                                 dealii::update_JxW_values);
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(n_nodes);
     for (const auto &[cell, number] : faces_)
       {
@@ -93,13 +94,13 @@ namespace springfit
     return shares;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::MatrixXd
-  LoadedSurface<dim>::forces(const Traction &traction,
-                             const unsigned int n_nodes) const
+  LoadedSurface<dim, spacedim>::forces(const Traction &traction,
+                                       const unsigned int n_nodes) const
   {
     const Eigen::VectorXd of_nodes = shares(n_nodes);
-    Eigen::MatrixXd forces         = Eigen::MatrixXd::Zero(dim, n_nodes);
+    Eigen::MatrixXd forces         = Eigen::MatrixXd::Zero(spacedim, n_nodes);
     if (faces_.empty())
       return forces;
     const auto &vertices =
@@ -108,12 +109,13 @@ namespace springfit
       if (of_nodes[v] != 0.)
         {
           const auto t = traction(vertices[v]);
-          for (int d = 0; d < dim; ++d)
+          for (int d = 0; d < spacedim; ++d)
             forces(d, v) = of_nodes[v] * t[d];
         }
     return forces;
   }
 
   template class LoadedSurface<2>;
+  template class LoadedSurface<2, 3>;
   template class LoadedSurface<3>;
 } // namespace springfit

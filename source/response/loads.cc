@@ -14,20 +14,21 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
+    template <int spacedim>
     Eigen::VectorXd
-    to_eigen(const dealii::Tensor<1, dim> &tensor)
+    to_eigen(const dealii::Tensor<1, spacedim> &tensor)
     {
-      Eigen::VectorXd vector(dim);
-      for (int d = 0; d < dim; ++d)
+      Eigen::VectorXd vector(spacedim);
+      for (int d = 0; d < spacedim; ++d)
         vector[d] = tensor[d];
       return vector;
     }
 
     /** How far a mesh reaches along a direction of length 1, m. */
-    template <int dim>
+    template <int dim, int spacedim>
     double
-    extent_along(const dealii::Tensor<1, dim> &axis, const Mesh<dim> &mesh)
+    extent_along(const dealii::Tensor<1, spacedim> &axis,
+                 const Mesh<dim, spacedim> &mesh)
     {
       const auto &vertices = mesh.triangulation.get_vertices();
       double lowest = axis * vertices[0], highest = lowest;
@@ -39,12 +40,12 @@ namespace springfit
       return highest - lowest;
     }
 
-    template <int dim>
+    template <int spacedim>
     std::vector<std::string>
     canned_words()
     {
       auto words = words_of(load_words());
-      if (dim == 2)
+      if (spacedim == 2)
         words.pop_back(); // torsion
       return words;
     }
@@ -59,20 +60,21 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
-  Loads<dim>::Loads() : dealii::ParameterAcceptor("Loads")
+  template <int spacedim>
+  Loads<spacedim>::Loads() : dealii::ParameterAcceptor("Loads")
   {
     add_parameter(
       "Cases",
       cases_word_,
-      "Load cases, each a row of the tables: " + join(canned_words<dim>()) +
+      "Load cases, each a row of the tables: " +
+        join(canned_words<spacedim>()) +
         ", or those that 'Forces', 'Tractions' and 'Supports' name (no unit). "
         "Empty: the latter if there are any, else all of the former. \"none\" "
         "is one without any load, for a motion under contact alone. Tension "
         "pulls the loaded boundaries along their mean outward normal, "
         "compression against it, shear along the coordinate direction most "
         "perpendicular to it; torsion turns them about it." +
-        (dim == 2 ? " Torsion needs three dimensions." : ""));
+        (spacedim == 2 ? " Torsion needs three dimensions." : ""));
     add_parameter(
       "Training cases",
       training_word_,
@@ -108,8 +110,8 @@ namespace springfit
                   "displacement is this times the object's extent along the "
                   "pull (no unit, 0.1 is 10 %), positive.");
 
-    const std::string direction = dim == 2 ? "0, -2" : "0, 0, -2";
-    const std::string last      = dim == 2 ? "y" : "z";
+    const std::string direction = spacedim == 2 ? "0, -2" : "0, 0, -2";
+    const std::string last      = spacedim == 2 ? "y" : "z";
     add_parameter(
       "Supports",
       own_.supports,
@@ -120,17 +122,17 @@ namespace springfit
         "in the case press. Without \"CASE on\" it is so in all cases of the "
         "user's own; what others hold is held, too, and stays where it is. "
         "Displacements are expressions of x, y, " +
-        (dim == 2 ? "" : "z, ") + "t (m, s).");
+        (spacedim == 2 ? "" : "z, ") + "t (m, s).");
     add_parameter(
       "Forces",
       own_.forces,
       "Forces in N, spread evenly over the boundaries that they act on: "
       "\"press on top, side: " +
         direction +
-        "; pull on where x > 0.01: " + (dim == 2 ? "1, 0" : "1, 0, 0") +
+        "; pull on where x > 0.01: " + (spacedim == 2 ? "1, 0" : "1, 0, 0") +
         "\" are the load cases press and pull. Components are expressions "
         "of x, y, " +
-        (dim == 2 ? "" : "z, ") + "t (m, s).");
+        (spacedim == 2 ? "" : "z, ") + "t (m, s).");
     add_parameter("Tractions",
                   own_.tractions,
                   "The same in Pa, forces per area at rest: \"press on top: " +
@@ -139,19 +141,19 @@ namespace springfit
                   own_.gravity,
                   std::string("Acceleration in m/s^2 of all nodes in all cases "
                               "of the user's own: \"") +
-                    (dim == 2 ? "0, -9.81" : "0, 0, -9.81") + "\".");
+                    (spacedim == 2 ? "0, -9.81" : "0, 0, -9.81") + "\".");
     add_parameter("Time",
                   time_,
                   "The time in s at which statics take expressions of t.");
     this->parse_parameters_call_back.connect([this]() { complete(); });
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Loads<dim>::complete(const std::string &which,
-                       const std::string &boundaries,
-                       const std::string &region,
-                       const std::string &otherwise)
+  Loads<spacedim>::complete(const std::string &which,
+                            const std::string &boundaries,
+                            const std::string &region,
+                            const std::string &otherwise)
   {
     if (!boundaries.empty() && !region.empty())
       throw EntryError("Loads/" + which + " region",
@@ -163,14 +165,15 @@ namespace springfit
       this->prm.set(which + " boundaries", otherwise);
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Loads<dim>::complete()
+  Loads<spacedim>::complete()
   {
     if (split_at_commas(cases_word_).empty())
       {
         const auto own = own_loads().cases();
-        this->prm.set("Cases", join(own.empty() ? canned_words<dim>() : own));
+        this->prm.set("Cases",
+                      join(own.empty() ? canned_words<spacedim>() : own));
       }
     complete("Fixed",
              fixed_boundaries_,
@@ -182,16 +185,17 @@ namespace springfit
              has_canned_cases() ? "1" : "");
   }
 
-  template <int dim>
-  OwnLoads<dim>
-  Loads<dim>::own_loads() const
+  template <int spacedim>
+  OwnLoads<spacedim>
+  Loads<spacedim>::own_loads() const
   {
-    return OwnLoads<dim>(own_);
+    return OwnLoads<spacedim>(own_);
   }
 
-  template <int dim>
+  template <int spacedim>
   std::vector<std::string>
-  Loads<dim>::cases_of(const std::string &words, const std::string &entry) const
+  Loads<spacedim>::cases_of(const std::string &words,
+                            const std::string &entry) const
   {
     WordTable<std::string> known;
     for (const auto &word : words_of(load_words()))
@@ -202,9 +206,9 @@ namespace springfit
     return values_of(known, words, entry);
   }
 
-  template <int dim>
+  template <int spacedim>
   std::vector<std::string>
-  Loads<dim>::training_cases() const
+  Loads<spacedim>::training_cases() const
   {
     const std::string entry = "Loads/Training cases";
     const auto all          = cases_of(cases_word_, "Loads/Cases");
@@ -219,21 +223,21 @@ namespace springfit
     return training;
   }
 
-  template <int dim>
+  template <int spacedim>
   bool
-  Loads<dim>::has_canned_cases() const
+  Loads<spacedim>::has_canned_cases() const
   {
     const auto cases = split_at_commas(cases_word_);
     return std::any_of(cases.begin(), cases.end(), is_canned);
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Loads<dim>::check() const
+  Loads<spacedim>::check() const
   {
     training_cases();
     for (const auto &name : cases_of(cases_word_, "Loads/Cases"))
-      if (dim == 2 && name == word_of(load_words(), Load::torsion))
+      if (spacedim == 2 && name == word_of(load_words(), Load::torsion))
         throw EntryError("Loads/Cases",
                          "torsion needs three dimensions.",
                          "Remove it, or set Dimension = 3.");
@@ -248,9 +252,10 @@ namespace springfit
       }
   }
 
+  template <int spacedim>
   template <int dim>
   std::vector<bool>
-  Loads<dim>::fixed_nodes(const Mesh<dim> &mesh) const
+  Loads<spacedim>::fixed_nodes(const Mesh<dim, spacedim> &mesh) const
   {
     if (fixed_region_.empty())
       return nodes_of_faces(mesh,
@@ -265,21 +270,22 @@ namespace springfit
     return nodes;
   }
 
-  template <int dim>
+  template <int spacedim>
   std::string
-  Loads<dim>::entry_of_supports() const
+  Loads<spacedim>::entry_of_supports() const
   {
     if (!fixed_region_.empty())
       return "Loads/Fixed region";
     return own_.supports.empty() ? "Loads/Fixed boundaries" : "Loads/Supports";
   }
 
+  template <int spacedim>
   template <int dim>
   void
-  Loads<dim>::add_canned(const Mesh<dim> &mesh,
-                         const Element<dim> &element,
-                         const double thickness,
-                         Loading &loading) const
+  Loads<spacedim>::add_canned(const Mesh<dim, spacedim> &mesh,
+                              const Element<dim, spacedim> &element,
+                              const double thickness,
+                              Loading &loading) const
   {
     const bool by_region = !loaded_region_.empty();
     const std::string entry =
@@ -297,20 +303,20 @@ namespace springfit
     const unsigned int n_nodes = loaded.size();
     bool felt                  = false;
     for (unsigned int v = 0; v < n_nodes; ++v)
-      for (int d = 0; d < dim; ++d)
-        felt = felt || (loaded[v] && !loading.held[dim * v + d]);
+      for (int d = 0; d < spacedim; ++d)
+        felt = felt || (loaded[v] && !loading.held[spacedim * v + d]);
     if (!felt)
       throw EntryError(entry,
                        "every loaded node is fixed, so that no load is left.",
                        "Load another boundary than the fixed one.");
 
-    const LoadedSurface<dim> surface(std::move(faces), element);
+    const LoadedSurface<dim, spacedim> surface(std::move(faces), element);
     if (surface.mean_normal().norm() < 1e-6)
       throw EntryError(entry,
                        "the loaded surface is closed or symmetric: its mean "
                        "normal, the axis of the pull, vanishes.",
                        "Load a part of the boundary that faces one way.");
-    const dealii::Tensor<1, dim> axis =
+    const dealii::Tensor<1, spacedim> axis =
       surface.mean_normal() / surface.mean_normal().norm();
     loading.pull = {to_eigen(axis), extent_along(axis, mesh), deformation_};
 
@@ -322,19 +328,21 @@ namespace springfit
                          n_nodes));
   }
 
+  template <int spacedim>
   template <int dim>
   void
-  Loads<dim>::check_supports(const Mesh<dim> &mesh,
-                             const Loading &loading) const
+  Loads<spacedim>::check_supports(const Mesh<dim, spacedim> &mesh,
+                                  const Loading &loading) const
   {
     springfit::check_supports(mesh, loading.held, entry_of_supports());
   }
 
+  template <int spacedim>
   template <int dim>
   Loading
-  Loads<dim>::resolve(const Mesh<dim> &mesh,
-                      const Element<dim> &element,
-                      const MaterialTable &materials) const
+  Loads<spacedim>::resolve(const Mesh<dim, spacedim> &mesh,
+                           const Element<dim, spacedim> &element,
+                           const MaterialTable &materials) const
   {
     const auto own = own_loads();
     Loading loading;
@@ -346,10 +354,10 @@ namespace springfit
         const auto fixed = fixed_nodes(mesh);
         std::vector<bool> held;
         for (const bool is_fixed : fixed)
-          held.insert(held.end(), dim, is_fixed);
+          held.insert(held.end(), spacedim, is_fixed);
         loading.supports.insert(loading.supports.begin(), {"fixed", held});
       }
-    loading.held.assign(dim * mesh.triangulation.n_vertices(), false);
+    loading.held.assign(spacedim * mesh.triangulation.n_vertices(), false);
     for (const auto &support : loading.supports)
       for (std::size_t i = 0; i < loading.held.size(); ++i)
         loading.held[i] = loading.held[i] || support.held[i];
@@ -372,4 +380,22 @@ namespace springfit
 
   template class Loads<2>;
   template class Loads<3>;
+  template Loading
+  Loads<2>::resolve(const Mesh<2> &,
+                    const Element<2> &,
+                    const MaterialTable &) const;
+  template void
+  Loads<2>::check_supports(const Mesh<2> &, const Loading &) const;
+  template Loading
+  Loads<3>::resolve(const Mesh<2, 3> &,
+                    const Element<2, 3> &,
+                    const MaterialTable &) const;
+  template void
+  Loads<3>::check_supports(const Mesh<2, 3> &, const Loading &) const;
+  template Loading
+  Loads<3>::resolve(const Mesh<3> &,
+                    const Element<3> &,
+                    const MaterialTable &) const;
+  template void
+  Loads<3>::check_supports(const Mesh<3> &, const Loading &) const;
 } // namespace springfit

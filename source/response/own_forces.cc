@@ -8,32 +8,32 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
-    std::vector<Expression<dim>>
+    template <int spacedim>
+    std::vector<Expression<spacedim>>
     vector_of(const std::vector<std::string> &values, const std::string &entry)
     {
       const std::string advice =
-        "Give " + std::to_string(dim) + " expressions of x, y, " +
-        (dim == 2 ? "t" : "z, t") + " between commas, such as " +
-        (dim == 2 ? "0, -2 * t." : "0, 0, -2 * t.");
-      if (values.size() != dim)
+        "Give " + std::to_string(spacedim) + " expressions of x, y, " +
+        (spacedim == 2 ? "t" : "z, t") + " between commas, such as " +
+        (spacedim == 2 ? "0, -2 * t." : "0, 0, -2 * t.");
+      if (values.size() != spacedim)
         throw EntryError(entry,
                          "there are " + std::to_string(values.size()) +
-                           " components of a vector in " + std::to_string(dim) +
-                           " dimensions.",
+                           " components of a vector in " +
+                           std::to_string(spacedim) + " dimensions.",
                          advice);
-      std::vector<Expression<dim>> components;
+      std::vector<Expression<spacedim>> components;
       for (const auto &value : values)
         components.push_back(
-          Expression<dim>::of_place_and_time(value, entry, advice));
+          Expression<spacedim>::of_place_and_time(value, entry, advice));
       return components;
     }
 
-    template <int dim>
-    LoadedSurface<dim>
+    template <int dim, int spacedim>
+    LoadedSurface<dim, spacedim>
     surface_at(const std::string &place,
-               const Mesh<dim> &mesh,
-               const Element<dim> &element,
+               const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                const std::string &entry)
     {
       const std::string condition = condition_of(place);
@@ -44,37 +44,37 @@ namespace springfit
                          "there is no boundary face at '" + place + "'.",
                          "Lengths are in m, and all vertices of a face must "
                          "meet a condition; widen it.");
-      return LoadedSurface<dim>(std::move(faces), element);
+      return LoadedSurface<dim, spacedim>(std::move(faces), element);
     }
   } // namespace
 
-  template <int dim>
-  std::vector<ForceStatement<dim>>
+  template <int spacedim>
+  std::vector<ForceStatement<spacedim>>
   parse_forces(const std::string &text, const std::string &entry)
   {
-    std::vector<ForceStatement<dim>> forces;
+    std::vector<ForceStatement<spacedim>> forces;
     for (const auto &statement : parse_statements(text, entry))
       forces.push_back({statement.load_case,
                         statement.place,
-                        vector_of<dim>(statement.values, entry)});
+                        vector_of<spacedim>(statement.values, entry)});
     return forces;
   }
 
-  template <int dim>
-  std::vector<ForceStatement<dim>>
+  template <int spacedim>
+  std::vector<ForceStatement<spacedim>>
   parse_field(const std::string &text, const std::string &entry)
   {
     const auto values = split_outside(text, ',');
     if (values.empty())
       return {};
-    return {{"", "", vector_of<dim>(values, entry)}};
+    return {{"", "", vector_of<spacedim>(values, entry)}};
   }
 
-  template <int dim>
-  PlacedForce<dim>
-  placed_force(const ForceStatement<dim> &statement,
-               const Mesh<dim> &mesh,
-               const Element<dim> &element,
+  template <int dim, int spacedim>
+  PlacedForce<spacedim>
+  placed_force(const ForceStatement<spacedim> &statement,
+               const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                const std::string &entry)
   {
     const auto surface = surface_at(statement.place, mesh, element, entry);
@@ -82,11 +82,11 @@ namespace springfit
             statement.components};
   }
 
-  template <int dim>
-  PlacedForce<dim>
-  placed_traction(const ForceStatement<dim> &statement,
-                  const Mesh<dim> &mesh,
-                  const Element<dim> &element,
+  template <int dim, int spacedim>
+  PlacedForce<spacedim>
+  placed_traction(const ForceStatement<spacedim> &statement,
+                  const Mesh<dim, spacedim> &mesh,
+                  const Element<dim, spacedim> &element,
                   const double thickness,
                   const std::string &entry)
   {
@@ -95,24 +95,24 @@ namespace springfit
             statement.components};
   }
 
-  template <int dim>
-  PlacedForce<dim>
-  placed_acceleration(const ForceStatement<dim> &statement,
+  template <int spacedim>
+  PlacedForce<spacedim>
+  placed_acceleration(const ForceStatement<spacedim> &statement,
                       const Eigen::VectorXd &masses)
   {
     return {masses, statement.components};
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::MatrixXd
-  forces_at(const std::vector<PlacedForce<dim>> &forces,
-            const Mesh<dim> &mesh,
+  forces_at(const std::vector<PlacedForce<spacedim>> &forces,
+            const Mesh<dim, spacedim> &mesh,
             const double time)
   {
     const auto &vertices   = mesh.triangulation.get_vertices();
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(dim, vertices.size());
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(spacedim, vertices.size());
     for (const auto &[weights, components] : forces)
-      for (int d = 0; d < dim; ++d)
+      for (int d = 0; d < spacedim; ++d)
         if (components[d].depends_on_place())
           {
             for (unsigned int v = 0; v < vertices.size(); ++v)
@@ -141,6 +141,11 @@ namespace springfit
                const std::string &);
   template PlacedForce<3>
   placed_force(const ForceStatement<3> &,
+               const Mesh<2, 3> &,
+               const Element<2, 3> &,
+               const std::string &);
+  template PlacedForce<3>
+  placed_force(const ForceStatement<3> &,
                const Mesh<3> &,
                const Element<3> &,
                const std::string &);
@@ -148,6 +153,12 @@ namespace springfit
   placed_traction(const ForceStatement<2> &,
                   const Mesh<2> &,
                   const Element<2> &,
+                  double,
+                  const std::string &);
+  template PlacedForce<3>
+  placed_traction(const ForceStatement<3> &,
+                  const Mesh<2, 3> &,
+                  const Element<2, 3> &,
                   double,
                   const std::string &);
   template PlacedForce<3>
@@ -162,6 +173,8 @@ namespace springfit
   placed_acceleration(const ForceStatement<3> &, const Eigen::VectorXd &);
   template Eigen::MatrixXd
   forces_at(const std::vector<PlacedForce<2>> &, const Mesh<2> &, double);
+  template Eigen::MatrixXd
+  forces_at(const std::vector<PlacedForce<3>> &, const Mesh<2, 3> &, double);
   template Eigen::MatrixXd
   forces_at(const std::vector<PlacedForce<3>> &, const Mesh<3> &, double);
 } // namespace springfit

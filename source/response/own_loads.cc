@@ -32,11 +32,11 @@ namespace springfit
       return statement.load_case.empty() || statement.load_case == load_case;
     }
 
-    template <int dim>
+    template <int spacedim>
     bool
-    moves(const SupportStatement<dim> &statement)
+    moves(const SupportStatement<spacedim> &statement)
     {
-      const dealii::Point<dim> origin;
+      const dealii::Point<spacedim> origin;
       return std::any_of(statement.components.begin(),
                          statement.components.end(),
                          [&](const auto &component) {
@@ -48,12 +48,12 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
-  OwnLoads<dim>::OwnLoads(const OwnLoadTexts &texts)
-    : supports_(parse_supports<dim>(texts.supports, supports_entry))
-    , forces_(parse_forces<dim>(texts.forces, forces_entry))
-    , tractions_(parse_forces<dim>(texts.tractions, tractions_entry))
-    , gravity_(parse_field<dim>(texts.gravity, gravity_entry))
+  template <int spacedim>
+  OwnLoads<spacedim>::OwnLoads(const OwnLoadTexts &texts)
+    : supports_(parse_supports<spacedim>(texts.supports, supports_entry))
+    , forces_(parse_forces<spacedim>(texts.forces, forces_entry))
+    , tractions_(parse_forces<spacedim>(texts.tractions, tractions_entry))
+    , gravity_(parse_field<spacedim>(texts.gravity, gravity_entry))
   {
     for (const auto &statement : supports_)
       check_name(statement.load_case, supports_entry);
@@ -63,9 +63,9 @@ namespace springfit
       check_name(statement.load_case, tractions_entry);
   }
 
-  template <int dim>
+  template <int spacedim>
   std::vector<std::string>
-  OwnLoads<dim>::cases() const
+  OwnLoads<spacedim>::cases() const
   {
     std::vector<std::string> names;
     const auto mention = [&](const auto &statements) {
@@ -80,24 +80,25 @@ namespace springfit
     mention(supports_);
     const bool is_loaded =
       !forces_.empty() || !tractions_.empty() || !gravity_.empty() ||
-      std::any_of(supports_.begin(), supports_.end(), moves<dim>);
+      std::any_of(supports_.begin(), supports_.end(), moves<spacedim>);
     if (names.empty() && is_loaded)
       names.push_back("own");
     return names;
   }
 
+  template <int spacedim>
   template <int dim>
   std::vector<Support>
-  OwnLoads<dim>::supports(const Mesh<dim> &mesh) const
+  OwnLoads<spacedim>::supports(const Mesh<dim, spacedim> &mesh) const
   {
     std::vector<Support> supports;
     for (const auto &statement : supports_)
       {
         const auto nodes = nodes_of(statement, mesh, supports_entry);
-        std::vector<bool> held(dim * nodes.size());
+        std::vector<bool> held(spacedim * nodes.size());
         for (unsigned int v = 0; v < nodes.size(); ++v)
-          for (int d = 0; d < dim; ++d)
-            held[dim * v + d] = nodes[v] && statement.components[d];
+          for (int d = 0; d < spacedim; ++d)
+            held[spacedim * v + d] = nodes[v] && statement.components[d];
         const auto known = std::find_if(supports.begin(),
                                         supports.end(),
                                         [&](const auto &other) {
@@ -115,14 +116,15 @@ namespace springfit
     return supports;
   }
 
+  template <int spacedim>
   template <int dim>
   std::function<NodalLoad(double time)>
-  OwnLoads<dim>::load(const std::string &load_case,
-                      const Mesh<dim> &mesh,
-                      const Element<dim> &element,
-                      const MaterialTable &materials) const
+  OwnLoads<spacedim>::load(const std::string &load_case,
+                           const Mesh<dim, spacedim> &mesh,
+                           const Element<dim, spacedim> &element,
+                           const MaterialTable &materials) const
   {
-    std::vector<PlacedForce<dim>> forces;
+    std::vector<PlacedForce<spacedim>> forces;
     for (const auto &statement : forces_)
       if (belongs(statement, load_case))
         forces.push_back(placed_force(statement, mesh, element, forces_entry));
@@ -137,7 +139,7 @@ namespace springfit
       forces.push_back(
         placed_acceleration(statement, nodal_masses(mesh, element, materials)));
 
-    std::vector<PlacedSupport<dim>> supports;
+    std::vector<PlacedSupport<spacedim>> supports;
     for (const auto &statement : supports_)
       if (belongs(statement, load_case))
         supports.push_back(
@@ -151,4 +153,25 @@ namespace springfit
 
   template class OwnLoads<2>;
   template class OwnLoads<3>;
+  template std::vector<Support>
+  OwnLoads<2>::supports(const Mesh<2> &) const;
+  template std::function<NodalLoad(double time)>
+  OwnLoads<2>::load(const std::string &,
+                    const Mesh<2> &,
+                    const Element<2> &,
+                    const MaterialTable &) const;
+  template std::vector<Support>
+  OwnLoads<3>::supports(const Mesh<2, 3> &) const;
+  template std::function<NodalLoad(double time)>
+  OwnLoads<3>::load(const std::string &,
+                    const Mesh<2, 3> &,
+                    const Element<2, 3> &,
+                    const MaterialTable &) const;
+  template std::vector<Support>
+  OwnLoads<3>::supports(const Mesh<3> &) const;
+  template std::function<NodalLoad(double time)>
+  OwnLoads<3>::load(const std::string &,
+                    const Mesh<3> &,
+                    const Element<3> &,
+                    const MaterialTable &) const;
 } // namespace springfit

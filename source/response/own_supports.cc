@@ -14,29 +14,29 @@ namespace springfit
   {
     constexpr const char *components_of_space = "xyz";
 
-    template <int dim>
+    template <int spacedim>
     std::string
     names()
     {
-      return dim == 2 ? "x or y" : "x, y or z";
+      return spacedim == 2 ? "x or y" : "x, y or z";
     }
 
     /** "z" or "z = -0.01 * t" */
-    template <int dim>
+    template <int spacedim>
     void
     hold(const std::string &value,
          const std::string &entry,
-         SupportStatement<dim> &statement)
+         SupportStatement<spacedim> &statement)
     {
       const std::string advice =
-        "Write " + names<dim>() +
+        "Write " + names<spacedim>() +
         ", which holds the component, or with a displacement in m: \"" +
-        components_of_space[dim - 1] + " = -0.01 * t\".";
+        components_of_space[spacedim - 1] + " = -0.01 * t\".";
       const auto equals        = value.find('=');
       const std::string before = value.substr(0, equals);
       const std::string name =
         before.substr(0, before.find_last_not_of(" \t") + 1);
-      const std::string known(components_of_space, dim);
+      const std::string known(components_of_space, spacedim);
       const auto component =
         name.size() == 1 ? known.find(name) : std::string::npos;
       if (component == std::string::npos)
@@ -49,32 +49,34 @@ namespace springfit
       const std::string displacement =
         equals == std::string::npos ? "0" : value.substr(equals + 1);
       statement.components[component].emplace(
-        Expression<dim>::of_place_and_time(displacement, entry, advice));
+        Expression<spacedim>::of_place_and_time(displacement, entry, advice));
     }
   } // namespace
 
-  template <int dim>
-  std::vector<SupportStatement<dim>>
+  template <int spacedim>
+  std::vector<SupportStatement<spacedim>>
   parse_supports(const std::string &text, const std::string &entry)
   {
-    std::vector<SupportStatement<dim>> supports;
+    std::vector<SupportStatement<spacedim>> supports;
     for (const auto &statement : parse_statements(text, entry))
       {
-        SupportStatement<dim> support{statement.load_case, statement.place, {}};
+        SupportStatement<spacedim> support{statement.load_case,
+                                           statement.place,
+                                           {}};
         for (const auto &value : statement.values)
           hold(value, entry, support);
         if (statement.values.empty())
-          for (int d = 0; d < dim; ++d)
+          for (int d = 0; d < spacedim; ++d)
             hold(std::string(1, components_of_space[d]), entry, support);
         supports.push_back(support);
       }
     return supports;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<bool>
-  nodes_of(const SupportStatement<dim> &statement,
-           const Mesh<dim> &mesh,
+  nodes_of(const SupportStatement<spacedim> &statement,
+           const Mesh<dim, spacedim> &mesh,
            const std::string &entry)
   {
     const std::string condition = condition_of(statement.place);
@@ -90,19 +92,19 @@ namespace springfit
     return nodes;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::MatrixXd
-  displacement_at(const std::vector<PlacedSupport<dim>> &supports,
-                  const Mesh<dim> &mesh,
+  displacement_at(const std::vector<PlacedSupport<spacedim>> &supports,
+                  const Mesh<dim, spacedim> &mesh,
                   const double time,
                   const std::string &entry)
   {
     const auto &vertices    = mesh.triangulation.get_vertices();
     constexpr double unsaid = std::numeric_limits<double>::max();
     Eigen::MatrixXd displacement =
-      Eigen::MatrixXd::Constant(dim, vertices.size(), unsaid);
+      Eigen::MatrixXd::Constant(spacedim, vertices.size(), unsaid);
     for (const auto &[nodes, statement] : supports)
-      for (int d = 0; d < dim; ++d)
+      for (int d = 0; d < spacedim; ++d)
         if (const auto &expression = statement.components[d])
           {
             double value = expression->value(vertices[0], time);
@@ -139,10 +141,19 @@ namespace springfit
   template std::vector<bool>
   nodes_of(const SupportStatement<2> &, const Mesh<2> &, const std::string &);
   template std::vector<bool>
+  nodes_of(const SupportStatement<3> &,
+           const Mesh<2, 3> &,
+           const std::string &);
+  template std::vector<bool>
   nodes_of(const SupportStatement<3> &, const Mesh<3> &, const std::string &);
   template Eigen::MatrixXd
   displacement_at(const std::vector<PlacedSupport<2>> &,
                   const Mesh<2> &,
+                  double,
+                  const std::string &);
+  template Eigen::MatrixXd
+  displacement_at(const std::vector<PlacedSupport<3>> &,
+                  const Mesh<2, 3> &,
                   double,
                   const std::string &);
   template Eigen::MatrixXd

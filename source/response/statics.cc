@@ -16,11 +16,11 @@ namespace springfit
     // From how many unknowns on "automatic" means conjugate gradients. Networks
     // with negative springs want factors as long as these are affordable;
     // Newton's method needs many of them, and has the convex tangent.
-    template <int dim>
-    constexpr unsigned int smallest_cg_linear = dim == 2 ? 100000 : 10000;
+    template <int spacedim>
+    constexpr unsigned int smallest_cg_linear = spacedim == 2 ? 100000 : 10000;
 
-    template <int dim>
-    constexpr unsigned int smallest_cg_nonlinear = dim == 2 ? 20000 : 1500;
+    template <int spacedim>
+    constexpr unsigned int smallest_cg_nonlinear = spacedim == 2 ? 20000 : 1500;
 
     const WordTable<SolverChoice> &
     solver_words()
@@ -100,13 +100,12 @@ namespace springfit
     }
 
     /** Why a state of such cells is none to go on from. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::string
-    objection_to_inversion(const Discretization<dim> &discretization,
-                           const Element<dim> &element,
+    objection_to_inversion(const Mesh<dim, spacedim> &mesh,
+                           const Element<dim, spacedim> &element,
                            const Eigen::MatrixXd &displacement)
     {
-      const auto &mesh     = discretization.mesh();
       const unsigned int n = n_inverted_cells(mesh, element, displacement);
       if (n == 0)
         return {};
@@ -116,14 +115,14 @@ namespace springfit
     }
 
     /** Why a state is no equilibrium to go on from. */
-    template <int dim>
+    template <int spacedim>
     std::string
-    objection_to_instability(const Discretization<dim> &discretization,
+    objection_to_instability(const Discretization<spacedim> &discretization,
                              const ElasticBody &body,
                              const Eigen::MatrixXd &displacement)
     {
       // Counting takes a direct factorisation: too much for the largest ones.
-      constexpr unsigned int most_nodes = dim == 2 ? 50000 : 5000;
+      constexpr unsigned int most_nodes = spacedim == 2 ? 50000 : 5000;
       if (discretization.n_nodes() <= most_nodes)
         if (const unsigned int n =
               n_unstable_motions(body, displacement, discretization.held());
@@ -140,29 +139,30 @@ namespace springfit
       accepted
     };
 
-    template <int dim>
+    template <int dim, int spacedim>
     std::unique_ptr<Model>
-    nonlinear_model(const Discretization<dim> &discretization,
-                    const Element<dim> &element,
+    nonlinear_model(const Discretization<spacedim> &discretization,
+                    const Mesh<dim, spacedim> &mesh,
+                    const Element<dim, spacedim> &element,
                     std::unique_ptr<const BodyOfMembers> body,
                     const InvertedCells inverted_cells,
-                    const SolverFactory<dim> &make_solver,
+                    const SolverFactory<spacedim> &make_solver,
                     const ModelWords &words,
                     const double tolerance)
     {
       const BodyOfMembers &judged = *body;
-      const auto judge = [&discretization, &element, &judged, inverted_cells](
-                           const Eigen::MatrixXd &displacement) {
-        std::string objection;
-        if (inverted_cells == InvertedCells::refused)
-          objection =
-            objection_to_inversion(discretization, element, displacement);
-        return objection.empty() ? objection_to_instability(discretization,
-                                                            judged,
-                                                            displacement)
-                                 : objection;
-      };
-      return std::make_unique<NonlinearModel<dim>>(
+      const auto judge =
+        [&discretization, &mesh, &element, &judged, inverted_cells](
+          const Eigen::MatrixXd &displacement) {
+          std::string objection;
+          if (inverted_cells == InvertedCells::refused)
+            objection = objection_to_inversion(mesh, element, displacement);
+          return objection.empty() ? objection_to_instability(discretization,
+                                                              judged,
+                                                              displacement)
+                                   : objection;
+        };
+      return std::make_unique<NonlinearModel<spacedim>>(
         discretization, std::move(body), make_solver, words, judge, tolerance);
     }
   } // namespace
@@ -176,8 +176,8 @@ namespace springfit
     return table;
   }
 
-  template <int dim>
-  Statics<dim>::Statics() : dealii::ParameterAcceptor("Response")
+  template <int spacedim>
+  Statics<spacedim>::Statics() : dealii::ParameterAcceptor("Response")
   {
     add_parameter("Kinematics",
                   kinematics_words_,
@@ -206,25 +206,25 @@ namespace springfit
                   "relative to the load (no unit), between 1e-15 and 1e-6.");
   }
 
-  template <int dim>
+  template <int spacedim>
   std::vector<Kinematics>
-  Statics<dim>::kinematics() const
+  Statics<spacedim>::kinematics() const
   {
     return values_of(kinematics_words(),
                      kinematics_words_,
                      "Response/Kinematics");
   }
 
-  template <int dim>
+  template <int spacedim>
   MaterialLaw
-  Statics<dim>::material_law() const
+  Statics<spacedim>::material_law() const
   {
     return value_of(material_law_words(), law_word_, "Response/Material law");
   }
 
-  template <int dim>
+  template <int spacedim>
   void
-  Statics<dim>::check() const
+  Statics<spacedim>::check() const
   {
     kinematics();
     material_law();
@@ -239,10 +239,11 @@ namespace springfit
       }
   }
 
-  template <int dim>
-  SolverFactory<dim>
-  Statics<dim>::solver_factory(const Discretization<dim> &discretization,
-                               const unsigned int smallest_cg) const
+  template <int spacedim>
+  SolverFactory<spacedim>
+  Statics<spacedim>::solver_factory(
+    const Discretization<spacedim> &discretization,
+    const unsigned int smallest_cg) const
   {
     const auto choice =
       value_of(solver_words(), solver_word_, "Response/Solver");
@@ -251,73 +252,133 @@ namespace springfit
       [&discretization, choice, tolerance, smallest_cg](const auto &matrix) {
         if (choice == SolverChoice::direct ||
             (choice == SolverChoice::automatic && matrix.m() < smallest_cg))
-          return make_direct_solver<dim>(matrix);
-        return make_cg_solver<dim>(discretization, matrix, tolerance);
+          return make_direct_solver<spacedim>(matrix);
+        return make_cg_solver<spacedim>(discretization, matrix, tolerance);
       };
   }
 
+  template <int spacedim>
   template <int dim>
   std::unique_ptr<Model>
-  Statics<dim>::finite_elements(const Discretization<dim> &discretization,
-                                const Element<dim> &element,
-                                const MaterialTable &materials) const
-  {
-    if (material_law() == MaterialLaw::linear)
-      return linear_finite_elements(discretization, element, materials);
-    return nonlinear_model<dim>(
-      discretization,
-      element,
-      std::make_unique<FiniteElementBody<dim>>(
-        discretization.mesh(), element, materials, material_law()),
-      material_law() == MaterialLaw::stable_neo_hookean
-        ? InvertedCells::accepted
-        : InvertedCells::refused,
-      solver_factory(discretization, smallest_cg_nonlinear<dim>),
-      words_of_nonlinear_finite_elements(material_law()),
-      tolerance_);
-  }
-
-  template <int dim>
-  std::unique_ptr<Model>
-  Statics<dim>::linear_finite_elements(
-    const Discretization<dim> &discretization,
-    const Element<dim> &element,
+  Statics<spacedim>::finite_elements(
+    const Discretization<spacedim> &discretization,
+    const Mesh<dim, spacedim> &mesh,
+    const Element<dim, spacedim> &element,
     const MaterialTable &materials) const
   {
-    return std::make_unique<LinearModel<dim>>(
+    if (material_law() == MaterialLaw::linear)
+      return linear_finite_elements(discretization, mesh, element, materials);
+    return nonlinear_model(discretization,
+                           mesh,
+                           element,
+                           std::make_unique<FiniteElementBody<dim, spacedim>>(
+                             mesh, element, materials, material_law()),
+                           material_law() == MaterialLaw::stable_neo_hookean
+                             ? InvertedCells::accepted
+                             : InvertedCells::refused,
+                           solver_factory(discretization,
+                                          smallest_cg_nonlinear<spacedim>),
+                           words_of_nonlinear_finite_elements(material_law()),
+                           tolerance_);
+  }
+
+  template <int spacedim>
+  template <int dim>
+  std::unique_ptr<Model>
+  Statics<spacedim>::linear_finite_elements(
+    const Discretization<spacedim> &discretization,
+    const Mesh<dim, spacedim> &mesh,
+    const Element<dim, spacedim> &element,
+    const MaterialTable &materials) const
+  {
+    return std::make_unique<LinearModel<spacedim>>(
       discretization,
-      FiniteElementBody<dim>(
-        discretization.mesh(), element, materials, MaterialLaw::linear),
-      solver_factory(discretization, smallest_cg_linear<dim>),
+      FiniteElementBody<dim, spacedim>(
+        mesh, element, materials, MaterialLaw::linear),
+      solver_factory(discretization, smallest_cg_linear<spacedim>),
       words_of_finite_elements());
   }
 
+  template <int spacedim>
   template <int dim>
   std::unique_ptr<Model>
-  Statics<dim>::springs(const Discretization<dim> &discretization,
-                        const Element<dim> &element,
-                        const SpringNetwork &network,
-                        const std::string &name,
-                        const Kinematics kinematics) const
+  Statics<spacedim>::springs(const Discretization<spacedim> &discretization,
+                             const Mesh<dim, spacedim> &mesh,
+                             const Element<dim, spacedim> &element,
+                             const SpringNetwork &network,
+                             const std::string &name,
+                             const Kinematics kinematics) const
   {
     if (kinematics == Kinematics::nonlinear)
-      return nonlinear_model<dim>(discretization,
-                                  element,
-                                  std::make_unique<NetworkBody>(network),
-                                  bear_inversion(network.families)
-                                    ? InvertedCells::accepted
-                                    : InvertedCells::refused,
-                                  solver_factory(discretization,
-                                                 smallest_cg_nonlinear<dim>),
-                                  words_of_nonlinear_springs(name, network),
-                                  tolerance_);
-    return std::make_unique<LinearModel<dim>>(
+      return nonlinear_model(discretization,
+                             mesh,
+                             element,
+                             std::make_unique<NetworkBody>(network),
+                             bear_inversion(network.families)
+                               ? InvertedCells::accepted
+                               : InvertedCells::refused,
+                             solver_factory(discretization,
+                                            smallest_cg_nonlinear<spacedim>),
+                             words_of_nonlinear_springs(name, network),
+                             tolerance_);
+    return std::make_unique<LinearModel<spacedim>>(
       discretization,
       NetworkBody(network),
-      solver_factory(discretization, smallest_cg_linear<dim>),
+      solver_factory(discretization, smallest_cg_linear<spacedim>),
       words_of_springs(name, network));
   }
 
   template class Statics<2>;
   template class Statics<3>;
+  template std::unique_ptr<Model>
+  Statics<2>::finite_elements(const Discretization<2> &,
+                              const Mesh<2> &,
+                              const Element<2> &,
+                              const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<2>::linear_finite_elements(const Discretization<2> &,
+                                     const Mesh<2> &,
+                                     const Element<2> &,
+                                     const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<2>::springs(const Discretization<2> &,
+                      const Mesh<2> &,
+                      const Element<2> &,
+                      const SpringNetwork &,
+                      const std::string &,
+                      Kinematics) const;
+  template std::unique_ptr<Model>
+  Statics<3>::finite_elements(const Discretization<3> &,
+                              const Mesh<2, 3> &,
+                              const Element<2, 3> &,
+                              const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<3>::linear_finite_elements(const Discretization<3> &,
+                                     const Mesh<2, 3> &,
+                                     const Element<2, 3> &,
+                                     const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<3>::springs(const Discretization<3> &,
+                      const Mesh<2, 3> &,
+                      const Element<2, 3> &,
+                      const SpringNetwork &,
+                      const std::string &,
+                      Kinematics) const;
+  template std::unique_ptr<Model>
+  Statics<3>::finite_elements(const Discretization<3> &,
+                              const Mesh<3> &,
+                              const Element<3> &,
+                              const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<3>::linear_finite_elements(const Discretization<3> &,
+                                     const Mesh<3> &,
+                                     const Element<3> &,
+                                     const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<3>::springs(const Discretization<3> &,
+                      const Mesh<3> &,
+                      const Element<3> &,
+                      const SpringNetwork &,
+                      const std::string &,
+                      Kinematics) const;
 } // namespace springfit

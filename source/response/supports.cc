@@ -11,9 +11,9 @@ namespace springfit
   namespace
   {
     /** The nodes of each part, parts being cells joined by faces. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::vector<std::set<unsigned int>>
-    nodes_of_parts(const dealii::Triangulation<dim> &triangulation)
+    nodes_of_parts(const dealii::Triangulation<dim, spacedim> &triangulation)
     {
       ConnectedParts parts(triangulation.n_active_cells());
       for (const auto &cell : triangulation.active_cell_iterators())
@@ -87,9 +87,9 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  check_supports(const Mesh<dim> &mesh,
+  check_supports(const Mesh<dim, spacedim> &mesh,
                  const std::vector<bool> &held,
                  const std::string &entry)
   {
@@ -104,20 +104,20 @@ namespace springfit
         changed = false;
         for (unsigned int p = 0; p < parts.size(); ++p)
           if (!part_is_held[p] &&
-              motion_left<dim>(parts[p], held_by_all, vertices).empty())
+              motion_left<spacedim>(parts[p], held_by_all, vertices).empty())
             {
               part_is_held[p] = true;
               changed         = true;
               for (const unsigned int v : parts[p])
-                for (int d = 0; d < dim; ++d)
-                  held_by_all[dim * v + d] = true;
+                for (int d = 0; d < spacedim; ++d)
+                  held_by_all[spacedim * v + d] = true;
             }
       }
 
     for (unsigned int p = 0; p < parts.size(); ++p)
       if (!part_is_held[p])
         {
-          const unsigned int n = n_held<dim>(parts[p], held);
+          const unsigned int n = n_held<spacedim>(parts[p], held);
           throw EntryError(
             entry,
             "the supports (" + std::to_string(n) + " fixed node" +
@@ -127,14 +127,15 @@ namespace springfit
                  : "part " + std::to_string(p + 1) + " of the " +
                      std::to_string(parts.size()) +
                      " parts of the mesh that no common face connects") +
-              (n_held<dim>(parts[p], held_by_all) > n
+              (n_held<spacedim>(parts[p], held_by_all) > n
                  ? ", hinged to the others,"
                  : "") +
-              " free: " + motion_left<dim>(parts[p], held_by_all, vertices) +
-              '.',
+              " free: " +
+              motion_left<spacedim>(parts[p], held_by_all, vertices) + '.',
             "Fix " +
-              std::string(dim == 2 ? "two nodes"
-                                   : "three nodes that are not on a line") +
+              std::string(spacedim == 2
+                            ? "two nodes"
+                            : "three nodes that are not on a line") +
               " at least of each part, by 'Fixed boundaries', 'Fixed region' "
               "or 'Supports', or connect the parts by faces.");
         }
@@ -144,6 +145,10 @@ namespace springfit
   check_supports<2>(const Mesh<2> &,
                     const std::vector<bool> &,
                     const std::string &);
+  template void
+  check_supports<2, 3>(const Mesh<2, 3> &,
+                       const std::vector<bool> &,
+                       const std::string &);
   template void
   check_supports<3>(const Mesh<3> &,
                     const std::vector<bool> &,

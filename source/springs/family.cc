@@ -146,6 +146,16 @@ namespace springfit
     return some;
   }
 
+  Family
+  scaled(Family family, const double scale)
+  {
+    if (scale != 1.)
+      for (std::size_t c = 0; c < family.members.columns.size(); ++c)
+        for (double &number : family.members.columns[c])
+          number *= std::pow(scale, family.kind->columns()[c].power);
+    return family;
+  }
+
   bool
   all_finite(const Family &family)
   {

@@ -262,14 +262,53 @@ namespace springfit
   }
 
 
+  Families
+  within(const Families &families,
+         const std::vector<std::vector<unsigned int>> &cells)
+  {
+    std::vector<std::vector<std::size_t>> cells_of_nodes;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      for (const unsigned int v : cells[c])
+        {
+          if (v >= cells_of_nodes.size())
+            cells_of_nodes.resize(v + 1);
+          cells_of_nodes[v].push_back(c);
+        }
+    const auto is_within = [&](const unsigned int *nodes,
+                               const unsigned int n) {
+      return nodes[0] < cells_of_nodes.size() &&
+             std::any_of(cells_of_nodes[nodes[0]].begin(),
+                         cells_of_nodes[nodes[0]].end(),
+                         [&](const std::size_t c) {
+                           return std::all_of(
+                             nodes, nodes + n, [&](const unsigned int v) {
+                               return std::find(cells[c].begin(),
+                                                cells[c].end(),
+                                                v) != cells[c].end();
+                             });
+                         });
+    };
+
+    Families result;
+    for (const auto &family : families)
+      {
+        std::vector<std::size_t> members;
+        for (std::size_t m = 0; m < family.size(); ++m)
+          if (is_within(family.nodes(m), family.kind->n_nodes()))
+            members.push_back(m);
+        result.push_back(selected(family, members));
+      }
+    return result;
+  }
+
+
   NetworkBuilder::NetworkBuilder(Eigen::MatrixXd nodes)
     : nodes_(std::move(nodes)), mass_(nodes_.cols(), 0.)
   {}
 
   void
   NetworkBuilder::add(const Family &family,
-                      const std::vector<unsigned int> &nodes,
-                      const double scale)
+                      const std::vector<unsigned int> &nodes)
   {
     auto found =
       std::find_if(families_.begin(), families_.end(), [&](const Family &f) {
@@ -278,7 +317,6 @@ namespace springfit
     if (found == families_.end())
       found = families_.insert(families_.end(), Family(*family.kind));
 
-    const auto &columns  = family.kind->columns();
     const unsigned int n = family.kind->n_nodes();
     for (std::size_t m = 0; m < family.size(); ++m)
       {
@@ -286,10 +324,6 @@ namespace springfit
         for (unsigned int a = 0; a < n; ++a)
           of_member[a] = nodes[family.nodes(m)[a]];
         Numbers numbers = family.numbers(m);
-        if (scale != 1.)
-          for (std::size_t c = 0; c < columns.size(); ++c)
-            for (double &number : numbers[c])
-              number *= std::pow(scale, columns[c].power);
         family.kind->canonicalise(of_member, numbers, nodes_);
         found->add(of_member, numbers);
       }

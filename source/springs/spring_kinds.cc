@@ -4,6 +4,7 @@
 #include <springfit/springs/lengths.h>
 #include <springfit/springs/point_volumes.h>
 #include <springfit/springs/spring_kinds.h>
+#include <springfit/springs/surface_areas.h>
 #include <springfit/springs/volumes.h>
 #include <springfit/springs/zero_lengths.h>
 
@@ -41,6 +42,9 @@ namespace springfit
           if (dimension(cell) == 2)
             all.push_back(&logarithmic_point_areas_in_plane_stress(cell));
         }
+      all.push_back(&surface_areas());
+      all.push_back(&logarithmic_surface_areas());
+      all.push_back(&logarithmic_surface_areas_in_plane_stress());
       return all;
     }
   } // namespace

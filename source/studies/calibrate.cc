@@ -5,19 +5,19 @@
 
 namespace springfit
 {
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  calibrate(const Scene<dim> &scene, Session &session)
+  calibrate(const Scene<spacedim> &scene, Session &session)
   {
-    auto calibrated = make_scene(scene, session);
+    auto calibrated = make_scene<dim, spacedim>(scene, session);
     calibrate_scene(scene, calibrated, {}, session);
 
     run_on_root(session.communicator(), [&]() {
       for (const auto &network : calibrated.networks)
-        write_springs_vtu<dim>(session.draft() /
-                                 ("springs_" + network.name + ".vtu"),
-                               network.network,
-                               {});
+        write_springs_vtu<spacedim>(session.draft() /
+                                      ("springs_" + network.name + ".vtu"),
+                                    network.network,
+                                    {});
     });
     session.say_at_the_end(
       "springs_<fit>.csv and nodes.csv are the model; open springs_" +
@@ -26,7 +26,9 @@ namespace springfit
   }
 
   template void
-  calibrate<2>(const Scene<2> &, Session &);
+  calibrate<2, 2>(const Scene<2> &, Session &);
   template void
-  calibrate<3>(const Scene<3> &, Session &);
+  calibrate<2, 3>(const Scene<3> &, Session &);
+  template void
+  calibrate<3, 3>(const Scene<3> &, Session &);
 } // namespace springfit

@@ -32,18 +32,18 @@ namespace springfit
     }
 
     /** "0.02 x 0.02 x 0.02": wrong units of a file show there. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::string
-    extents(const Mesh<dim> &mesh)
+    extents(const Mesh<dim, spacedim> &mesh)
     {
-      const dealii::BoundingBox<dim> box(mesh.triangulation.get_vertices());
+      const dealii::BoundingBox<spacedim> box(
+        mesh.triangulation.get_vertices());
       std::string text;
-      for (int d = 0; d < dim; ++d)
+      for (int d = 0; d < spacedim; ++d)
         text += (d > 0 ? " x " : "") + formatted("%.4g", box.side_length(d));
       return text;
     }
 
-    template <int dim>
     std::vector<FitRow>
     fit_rows(const CalibratedNetwork &network, const CellKind kind)
     {
@@ -105,6 +105,28 @@ namespace springfit
                : young_poisson(part.lambda, part.mu);
     }
 
+    std::set<double>
+    poissons_ratios(const MaterialTable &materials)
+    {
+      std::set<double> ratios;
+      for (const auto &[id, material] : materials)
+        ratios.insert(material.constants.poissons_ratio);
+      return ratios;
+    }
+
+    void
+    warn_of_poissons_ratio(const double wanted,
+                           const double delivered,
+                           Session &session)
+    {
+      session.warn(formatted(
+        "Springs alone cannot honour Poisson's ratio %.4g: a network of "
+        "springs delivers %.4g in this setting, whatever their stiffness. "
+        "'Enrichment' can, in section Fit: volume or coupling.",
+        wanted,
+        delivered));
+    }
+
     /** Say what a network is as a material, and what it cannot be. */
     template <int dim>
     void
@@ -130,9 +152,7 @@ namespace springfit
                                   100. * part.anisotropy));
         }
 
-      std::set<double> wanted;
-      for (const auto &[id, material] : calibrated.materials)
-        wanted.insert(material.constants.poissons_ratio);
+      const auto wanted  = poissons_ratios(calibrated.materials);
       const auto differs = [](const double nu, const YoungPoisson &other) {
         return std::abs(nu - other.poissons_ratio) > 0.01;
       };
@@ -143,13 +163,9 @@ namespace springfit
           {
             for (const double nu : wanted)
               if (differs(nu, delivered[n]))
-                session.warn(formatted(
-                  "Springs alone cannot honour Poisson's ratio %.4g: a network "
-                  "of springs delivers %.4g in this setting, whatever their "
-                  "stiffness. 'Enrichment' can, in section Fit: volume or "
-                  "coupling.",
-                  nu,
-                  delivered[n].poissons_ratio));
+                warn_of_poissons_ratio(nu,
+                                       delivered[n].poissons_ratio,
+                                       session);
             break; // It is the same for all of them.
           }
 
@@ -176,32 +192,52 @@ namespace springfit
             calibrated.networks[n].name.c_str(),
             100. * anisotropies[n]));
     }
+
+    /** Each cell of a surface is the same material in its own plane. */
+    template <int dim, int spacedim>
+    void
+    report_surface(const CalibratedScene<dim, spacedim> &calibrated,
+                   Session &session)
+    {
+      // Cauchy's relation lambda = mu in plane stress.
+      constexpr double of_springs = 1. / 3.;
+      for (const auto &network : calibrated.networks)
+        if (has_springs_alone(network.network.families) &&
+            !are_under_tension(network.network.families))
+          {
+            for (const double nu : poissons_ratios(calibrated.materials))
+              if (std::abs(nu - of_springs) > 0.01)
+                warn_of_poissons_ratio(nu, of_springs, session);
+            return; // It is the same for all of them.
+          }
+    }
   } // namespace
 
-  template <int dim>
-  CalibratedScene<dim>
-  make_scene(const Scene<dim> &scene, Session &session)
+  template <int dim, int spacedim>
+  CalibratedScene<dim, spacedim>
+  make_scene(const Scene<spacedim> &scene, Session &session)
   {
     dealii::TimerOutput::Scope scope(session.timer(), "Mesh");
-    CalibratedScene<dim> calibrated;
+    CalibratedScene<dim, spacedim> calibrated;
     calibrated.mesh =
-      scene.geometry.create(session.communicator(), scene.folder);
+      scene.geometry.template create<dim>(session.communicator(), scene.folder);
     const auto &mesh = *calibrated.mesh;
     scene.fit.check_cells(mesh.cell_kind);
-    calibrated.element   = make_element<dim>(mesh.cell_kind);
+    calibrated.element   = make_element<dim, spacedim>(mesh.cell_kind);
     calibrated.materials = scene.material.resolve(mesh);
 
-    CellMatrices<dim> cell_matrices(calibrated.element);
+    CellMatrices<dim, spacedim> cell_matrices(calibrated.element);
     calibrated.volume = 0.;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       calibrated.volume +=
         cell_matrices.volume(cell) *
         calibrated.materials.at(cell->material_id()).thickness;
 
-    session.print(formatted("Mesh: %u nodes, %u %s, %s m, %.6g m^3\n",
+    session.print(formatted("Mesh: %u nodes, %u %s%s, %s m, %.6g m^3\n",
                             mesh.triangulation.n_vertices(),
                             mesh.triangulation.n_active_cells(),
                             word_of(cell_kind_words(), mesh.cell_kind).c_str(),
+                            dim < spacedim ? " in space" : "",
                             extents(mesh).c_str(),
                             calibrated.volume));
     session.print(format_boundary_table<dim>(boundary_table(mesh)));
@@ -213,10 +249,10 @@ namespace springfit
     return calibrated;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  calibrate_scene(const Scene<dim> &scene,
-                  CalibratedScene<dim> &calibrated,
+  calibrate_scene(const Scene<spacedim> &scene,
+                  CalibratedScene<dim, spacedim> &calibrated,
                   const Eigen::MatrixXd &responses,
                   Session &session)
   {
@@ -234,13 +270,15 @@ namespace springfit
     for (const auto &network : calibrated.networks)
       {
         session.print(fit_summary(network));
-        for (const auto &row :
-             fit_rows<dim>(network, calibrated.mesh->cell_kind))
+        for (const auto &row : fit_rows(network, calibrated.mesh->cell_kind))
           rows.push_back(row);
       }
     session.print("Spring law: " +
                   word_of(spring_law_words(), scene.fit.spring_law()));
-    report_homogenised(scene, calibrated, session);
+    if constexpr (dim == spacedim)
+      report_homogenised(scene, calibrated, session);
+    else
+      report_surface(calibrated, session);
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {
@@ -255,6 +293,8 @@ namespace springfit
 
   template CalibratedScene<2>
   make_scene<2>(const Scene<2> &, Session &);
+  template CalibratedScene<2, 3>
+  make_scene<2, 3>(const Scene<3> &, Session &);
   template CalibratedScene<3>
   make_scene<3>(const Scene<3> &, Session &);
   template void
@@ -262,6 +302,11 @@ namespace springfit
                      CalibratedScene<2> &,
                      const Eigen::MatrixXd &,
                      Session &);
+  template void
+  calibrate_scene<2, 3>(const Scene<3> &,
+                        CalibratedScene<2, 3> &,
+                        const Eigen::MatrixXd &,
+                        Session &);
   template void
   calibrate_scene<3>(const Scene<3> &,
                      CalibratedScene<3> &,

@@ -25,9 +25,9 @@ namespace springfit
       return text.str();
     }
 
-    template <int dim>
+    template <int spacedim>
     TimeGrid
-    make_grid(const DynamicsSettings<dim> &settings, const double step)
+    make_grid(const DynamicsSettings<spacedim> &settings, const double step)
     {
       const double exact = (settings.end - settings.begin) / step;
       const double round = std::round(exact);
@@ -114,31 +114,39 @@ namespace springfit
              : 0;
   }
 
-  template <int dim>
-  CaseInMotion<dim>::CaseInMotion(const Scene<dim> &scene,
-                                  const CalibratedScene<dim> &calibrated,
-                                  const Loading &loading,
-                                  const LoadCase &load_case,
-                                  Session &session)
-    : settings_(scene.dynamics.settings())
-    , mesh_(*calibrated.mesh)
-    , networks_(calibrated.networks)
+  template <int dim, int spacedim>
+  CaseInMotion<dim, spacedim>::CaseInMotion(
+    const Scene<spacedim> &scene,
+    const CalibratedScene<dim, spacedim> &calibrated,
+    const Loading &loading,
+    const LoadCase &load_case,
+    Session &session)
+    : scene_(scene)
+    , calibrated_(calibrated)
+    , settings_(scene.dynamics.settings())
     , name_(load_case.name)
     , session_(session)
     , excitation_(
         make_excitation(scene, calibrated, loading, load_case, settings_))
-    , models_(make_moving_models(scene, calibrated, settings_, excitation_))
+    , remains_(everything(*calibrated.mesh))
+    , models_(
+        make_moving_models(scene, calibrated, settings_, excitation_, remains_))
     , observations_(observations(settings_,
-                                 mesh_,
+                                 *calibrated.mesh,
                                  calibrated.element,
                                  loading,
                                  excitation_.obstacles))
     , grid_(make_grid(settings_, choose_step()))
-  {}
+  {
+    // What cannot be opened is said before the motion begins.
+    Remains remains = remains_;
+    for (const Opening &opening : settings_.openings)
+      remains = opened(opening, *calibrated.mesh, remains);
+  }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::begin()
+  CaseInMotion<dim, spacedim>::begin()
   {
     for (const auto &model : models_)
       records_.push_back(std::make_unique<MotionRecord>(session_.draft(),
@@ -148,11 +156,13 @@ namespace springfit
     show();
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::resume(CheckpointReader &checkpoint)
+  CaseInMotion<dim, spacedim>::resume(CheckpointReader &checkpoint)
   {
     checkpoint >> n_done_;
+    while (n_done_ > 0 && opens(n_done_ - 1))
+      open();
     for (auto &model : models_)
       {
         auto &account = model->account;
@@ -172,9 +182,9 @@ namespace springfit
                    text_of(grid_.time(n_done_)) + " s.");
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::save(CheckpointWriter &checkpoint) const
+  CaseInMotion<dim, spacedim>::save(CheckpointWriter &checkpoint) const
   {
     checkpoint << n_done_;
     for (std::size_t m = 0; m < models_.size(); ++m)
@@ -191,10 +201,10 @@ namespace springfit
       }
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::run(const Limits &limits,
-                         const std::function<void()> &make_checkpoint)
+  CaseInMotion<dim, spacedim>::run(const Limits &limits,
+                                   const std::function<void()> &make_checkpoint)
   {
     const auto rows_every =
       std::max<std::uint64_t>(1, grid_.steps_in(settings_.table_interval));
@@ -207,6 +217,8 @@ namespace springfit
     while (n_done_ < grid_.n_steps)
       {
         check_limits(limits);
+        while (opens(n_done_))
+          open();
         step();
         ++n_done_;
         const bool is_last = n_done_ == grid_.n_steps;
@@ -225,9 +237,9 @@ namespace springfit
       }
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<MotionSummary>
-  CaseInMotion<dim>::summary() const
+  CaseInMotion<dim, spacedim>::summary() const
   {
     const double largest = models_.front()->largest;
     std::vector<MotionSummary> rows;
@@ -255,9 +267,9 @@ namespace springfit
     return rows;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<std::string>
-  CaseInMotion<dim>::files() const
+  CaseInMotion<dim, spacedim>::files() const
   {
     std::vector<std::string> files;
     for (const auto &record : records_)
@@ -266,16 +278,16 @@ namespace springfit
     return files;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::string
-  CaseInMotion<dim>::base(const MovingModel &model) const
+  CaseInMotion<dim, spacedim>::base(const MovingModel &model) const
   {
     return name_ + '_' + model.name;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   double
-  CaseInMotion<dim>::choose_step() const
+  CaseInMotion<dim, spacedim>::choose_step() const
   {
     if (settings_.integrator != Integrator::symplectic_euler)
       {
@@ -296,9 +308,10 @@ namespace springfit
     return settings_.step > 0. ? settings_.step : 0.9 * largest;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::check_step(MovingModel &model, const double step) const
+  CaseInMotion<dim, spacedim>::check_step(MovingModel &model,
+                                          const double step) const
   {
     const auto critical = critical_step(model.body, model.state.displacement);
     if (!std::isfinite(critical.step))
@@ -315,7 +328,7 @@ namespace springfit
           " s of symplectic Euler's method for the model '" + model.name +
           "' at t = " + text_of(model.state.time) + " s, set by " +
           fastest_node(critical.shape, excitation_.nodes) +
-          stiffest_member(networks_,
+          stiffest_member(calibrated_.networks,
                           model,
                           excitation_.nodes + model.state.displacement,
                           critical.shape) +
@@ -324,9 +337,41 @@ namespace springfit
         "'Integrator = implicit euler', which bears any.");
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
+  bool
+  CaseInMotion<dim, spacedim>::opens(const std::uint64_t n_done) const
+  {
+    return n_opened_ < settings_.openings.size() &&
+           settings_.openings[n_opened_].time <
+             grid_.time(n_done) + 1e-6 * grid_.step;
+  }
+
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::step()
+  CaseInMotion<dim, spacedim>::open()
+  {
+    const auto &mesh   = *calibrated_.mesh;
+    const auto opening = settings_.openings[n_opened_++];
+    remains_           = opened(opening, mesh, remains_);
+
+    excitation_.lost_nodes = remains_.lost_nodes;
+    for (std::size_t v = 0; v < remains_.lost_nodes.size(); ++v)
+      if (remains_.lost_nodes[v])
+        for (int d = 0; d < spacedim; ++d)
+          excitation_.held[spacedim * v + d] = true;
+    auto models =
+      make_moving_models(scene_, calibrated_, settings_, excitation_, remains_);
+    for (std::size_t m = 0; m < models.size(); ++m)
+      go_on_from(*models_[m], excitation_, *models[m]);
+    models_ = std::move(models);
+    session_.log("Load case " + name_ + ": cells are taken out where " +
+                 opening.condition + " at t = " + text_of(opening.time) +
+                 " s.");
+  }
+
+  template <int dim, int spacedim>
+  void
+  CaseInMotion<dim, spacedim>::step()
   {
     const double end = grid_.time(n_done_ + 1);
     for (const auto &model : models_)
@@ -344,9 +389,9 @@ namespace springfit
         }
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::check_limits(const Limits &limits) const
+  CaseInMotion<dim, spacedim>::check_limits(const Limits &limits) const
   {
     const std::chrono::duration<double> passed =
       std::chrono::steady_clock::now() - limits.begin;
@@ -361,9 +406,9 @@ namespace springfit
              "command would go on."));
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::stop(const std::string &reason) const
+  CaseInMotion<dim, spacedim>::stop(const std::string &reason) const
   {
     throw IncompleteError(
       "Load case " + name_ + " ended at t = " + text_of(grid_.time(n_done_)) +
@@ -371,9 +416,9 @@ namespace springfit
       session_.output_directory().string() + '.');
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::observe()
+  CaseInMotion<dim, spacedim>::observe()
   {
     const auto &reference = models_.front()->state.displacement;
     for (std::size_t m = 0; m < models_.size(); ++m)
@@ -391,15 +436,16 @@ namespace springfit
       }
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  CaseInMotion<dim>::show()
+  CaseInMotion<dim, spacedim>::show()
   {
     if (settings_.frame_interval > 0.)
       for (std::size_t m = 0; m < models_.size(); ++m)
-        records_[m]->add_frame(*models_[m], mesh_);
+        records_[m]->add_frame(*models_[m], *calibrated_.mesh, remains_);
   }
 
   template class CaseInMotion<2>;
+  template class CaseInMotion<2, 3>;
   template class CaseInMotion<3>;
 } // namespace springfit

@@ -29,10 +29,10 @@ namespace springfit
   namespace
   {
     /** The material's constants as a tensile test would find them. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::optional<YoungPoisson>
-    delivered(const Scene<dim> &scene,
-              const CalibratedScene<dim> &calibrated,
+    delivered(const Scene<spacedim> &scene,
+              const CalibratedScene<dim, spacedim> &calibrated,
               const Loading &loading,
               const Eigen::MatrixXd &forces,
               const Eigen::MatrixXd &displacement)
@@ -44,7 +44,7 @@ namespace springfit
                             displacement,
                             forces,
                             calibrated.materials.begin()->second.thickness);
-      if (apparent && dim == 2 &&
+      if (apparent && spacedim == 2 &&
           scene.material.plane_state() == PlaneState::strain)
         return from_plane_strain(*apparent);
       return apparent;
@@ -74,9 +74,9 @@ namespace springfit
     }
 
     /** Say it where no pair of models has the same kinematics. */
-    template <int dim>
+    template <int spacedim>
     void
-    warn_of_kinematics(const Statics<dim> &statics, Session &session)
+    warn_of_kinematics(const Statics<spacedim> &statics, Session &session)
     {
       const auto of_springs = statics.kinematics();
       const auto have       = [&](const Kinematics kinematics) {
@@ -105,20 +105,20 @@ namespace springfit
      * Warn of networks that are not at rest in a minimum of energy. Counting
      * takes a direct factorisation, which is too much for the largest ones.
      */
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    check_stability(const CalibratedScene<dim> &calibrated,
+    check_stability(const CalibratedScene<dim, spacedim> &calibrated,
                     const Loading &loading,
                     Session &session)
     {
       dealii::TimerOutput::Scope scope(session.timer(), "Stability");
-      constexpr Eigen::Index largest = dim == 2 ? 50000 : 5000; // nodes
+      constexpr Eigen::Index largest = spacedim == 2 ? 50000 : 5000; // nodes
       for (const auto &network : calibrated.networks)
         if (can_be_unstable(network.network.families) &&
             network.network.nodes.cols() <= largest)
           if (const unsigned int n = n_unstable_motions(
                 NetworkBody(network.network),
-                Eigen::MatrixXd::Zero(dim, network.network.nodes.cols()),
+                Eigen::MatrixXd::Zero(spacedim, network.network.nodes.cols()),
                 loading.held);
               n > 0)
             session.warn(
@@ -137,10 +137,10 @@ namespace springfit
                        load_case.name) != loading.training.end();
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
     std::vector<ComparisonRow>
-    make_rows(const Scene<dim> &scene,
-              const CalibratedScene<dim> &calibrated,
+    make_rows(const Scene<spacedim> &scene,
+              const CalibratedScene<dim, spacedim> &calibrated,
               const Loading &loading,
               const std::vector<CaseResult> &results)
     {
@@ -281,11 +281,11 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  compare(const Scene<dim> &scene, Session &session)
+  compare(const Scene<spacedim> &scene, Session &session)
   {
-    auto calibrated    = make_scene(scene, session);
+    auto calibrated    = make_scene<dim, spacedim>(scene, session);
     const auto loading = scene.loads.resolve(*calibrated.mesh,
                                              calibrated.element,
                                              calibrated.materials);
@@ -331,7 +331,9 @@ namespace springfit
   }
 
   template void
-  compare<2>(const Scene<2> &, Session &);
+  compare<2, 2>(const Scene<2> &, Session &);
   template void
-  compare<3>(const Scene<3> &, Session &);
+  compare<2, 3>(const Scene<3> &, Session &);
+  template void
+  compare<3, 3>(const Scene<3> &, Session &);
 } // namespace springfit

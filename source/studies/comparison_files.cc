@@ -25,10 +25,10 @@ namespace springfit
     return kinematics == Kinematics::nonlinear ? "_nonlinear" : "";
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
   write_pictures(const std::filesystem::path &folder,
-                 const CalibratedScene<dim> &calibrated,
+                 const CalibratedScene<dim, spacedim> &calibrated,
                  const std::vector<CaseResult> &results)
   {
     // The series by their names, the springs' fields by network.
@@ -79,16 +79,16 @@ namespace springfit
     for (const auto &[name, files] : series)
       write_pvd(folder / (name + ".pvd"), files);
     for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
-      write_springs_vtu<dim>(folder / ("springs_" +
-                                       calibrated.networks[n].name + ".vtu"),
-                             calibrated.networks[n].network,
-                             spring_fields[n]);
+      write_springs_vtu<spacedim>(
+        folder / ("springs_" + calibrated.networks[n].name + ".vtu"),
+        calibrated.networks[n].network,
+        spring_fields[n]);
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
   write_responses(const std::filesystem::path &folder,
-                  const CalibratedScene<dim> &calibrated,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const Loading &loading,
                   const std::vector<CaseResult> &results)
   {
@@ -123,8 +123,17 @@ namespace springfit
                   const std::vector<CaseResult> &);
   template void
   write_pictures(const std::filesystem::path &,
+                 const CalibratedScene<2, 3> &,
+                 const std::vector<CaseResult> &);
+  template void
+  write_pictures(const std::filesystem::path &,
                  const CalibratedScene<3> &,
                  const std::vector<CaseResult> &);
+  template void
+  write_responses(const std::filesystem::path &,
+                  const CalibratedScene<2, 3> &,
+                  const Loading &,
+                  const std::vector<CaseResult> &);
   template void
   write_responses(const std::filesystem::path &,
                   const CalibratedScene<3> &,

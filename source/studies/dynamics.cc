@@ -89,10 +89,10 @@ namespace springfit
     }
 
     /** What the canned cases are scaled by, and every other one as it is. */
-    template <int dim>
+    template <int dim, int spacedim>
     Loading
-    loading_of(const Scene<dim> &scene,
-               const CalibratedScene<dim> &calibrated,
+    loading_of(const Scene<spacedim> &scene,
+               const CalibratedScene<dim, spacedim> &calibrated,
                Session &session)
     {
       Loading loading = scene.loads.resolve(*calibrated.mesh,
@@ -163,13 +163,13 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  dynamics(const Scene<dim> &scene, Session &session)
+  dynamics(const Scene<spacedim> &scene, Session &session)
   {
     const auto begin = std::chrono::steady_clock::now();
     check_ranks(session);
-    auto calibrated    = make_scene(scene, session);
+    auto calibrated    = make_scene<dim, spacedim>(scene, session);
     const auto loading = loading_of(scene, calibrated, session);
     calibrate_scene(scene, calibrated, {}, session);
     const Interruption interruption;
@@ -191,7 +191,7 @@ namespace springfit
     dealii::TimerOutput::Scope scope(session.timer(), "Motion");
     while (done.n_cases < loading.cases.size())
       {
-        CaseInMotion<dim> motion(
+        CaseInMotion<dim, spacedim> motion(
           scene, calibrated, loading, loading.cases[done.n_cases], session);
         if (!session.is_published())
           session.publish();
@@ -232,7 +232,9 @@ namespace springfit
   }
 
   template void
-  dynamics<2>(const Scene<2> &, Session &);
+  dynamics<2, 2>(const Scene<2> &, Session &);
   template void
-  dynamics<3>(const Scene<3> &, Session &);
+  dynamics<2, 3>(const Scene<3> &, Session &);
+  template void
+  dynamics<3, 3>(const Scene<3> &, Session &);
 } // namespace springfit

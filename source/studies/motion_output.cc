@@ -13,9 +13,10 @@ namespace springfit
 {
   namespace
   {
-    template <int dim>
+    template <int dim, int spacedim>
     unsigned int
-    nearest_node(const dealii::Point<dim> &place, const Mesh<dim> &mesh)
+    nearest_node(const dealii::Point<spacedim> &place,
+                 const Mesh<dim, spacedim> &mesh)
     {
       const auto &vertices = mesh.triangulation.get_vertices();
       unsigned int nearest = 0;
@@ -46,12 +47,12 @@ namespace springfit
     Eigen::VectorXd
     force_of_obstacle(const Obstacle &obstacle,
                       const MovingModel &model,
-                      const Eigen::MatrixXd &nodes)
+                      const Excitation &excitation)
     {
       Eigen::MatrixXd forces =
-        Eigen::MatrixXd::Zero(nodes.rows(), nodes.cols());
+        Eigen::MatrixXd::Zero(excitation.nodes.rows(), excitation.nodes.cols());
       add_contact_forces(obstacle,
-                         nodes + model.state.displacement,
+                         places(excitation, model.state.displacement),
                          model.state.time,
                          forces);
       return forces.rowwise().sum();
@@ -70,7 +71,7 @@ namespace springfit
       for (const auto &obstacle : excitation.obstacles)
         row.contact +=
           contact_energy(obstacle,
-                         excitation.nodes + model.state.displacement,
+                         places(excitation, model.state.displacement),
                          model.state.time);
       row.account          = model.account;
       row.momentum         = momentum(model.body, model.state);
@@ -88,17 +89,16 @@ namespace springfit
           row.vectors.push_back(reactions.rowwise().sum());
         }
       for (const auto &obstacle : excitation.obstacles)
-        row.vectors.push_back(
-          force_of_obstacle(obstacle, model, excitation.nodes));
+        row.vectors.push_back(force_of_obstacle(obstacle, model, excitation));
       return row;
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   Observations
-  observations(const DynamicsSettings<dim> &settings,
-               const Mesh<dim> &mesh,
-               const Element<dim> &element,
+  observations(const DynamicsSettings<spacedim> &settings,
+               const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                const Loading &loading,
                const std::vector<Obstacle> &obstacles)
   {
@@ -120,7 +120,7 @@ namespace springfit
                            "the boundary '" + boundary + "' has no faces.",
                            "Name another one.");
         name("mean_u_", boundary);
-        const LoadedSurface<dim> surface(std::move(faces), element);
+        const LoadedSurface<dim, spacedim> surface(std::move(faces), element);
         result.weights.push_back(
           surface.shares(mesh.triangulation.n_vertices()) / surface.area());
       }
@@ -191,15 +191,18 @@ namespace springfit
     table_->append();
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  MotionRecord::add_frame(const MovingModel &model, const Mesh<dim> &mesh)
+  MotionRecord::add_frame(const MovingModel &model,
+                          const Mesh<dim, spacedim> &mesh,
+                          const Remains &remains)
   {
     char number[16];
     std::snprintf(number, sizeof(number), "_%05zu", frames_.size());
     const std::string file = base_ + number + ".vtu";
     write_mesh_vtu(folder_ / file,
                    mesh,
+                   remains.cells,
                    {{"displacement", model.state.displacement},
                     {"velocity", model.state.velocity}});
     frames_.emplace_back(model.state.time, file);
@@ -214,12 +217,26 @@ namespace springfit
                const std::vector<Obstacle> &);
   template Observations
   observations(const DynamicsSettings<3> &,
+               const Mesh<2, 3> &,
+               const Element<2, 3> &,
+               const Loading &,
+               const std::vector<Obstacle> &);
+  template Observations
+  observations(const DynamicsSettings<3> &,
                const Mesh<3> &,
                const Element<3> &,
                const Loading &,
                const std::vector<Obstacle> &);
   template void
-  MotionRecord::add_frame(const MovingModel &, const Mesh<2> &);
+  MotionRecord::add_frame(const MovingModel &,
+                          const Mesh<2> &,
+                          const Remains &);
   template void
-  MotionRecord::add_frame(const MovingModel &, const Mesh<3> &);
+  MotionRecord::add_frame(const MovingModel &,
+                          const Mesh<2, 3> &,
+                          const Remains &);
+  template void
+  MotionRecord::add_frame(const MovingModel &,
+                          const Mesh<3> &,
+                          const Remains &);
 } // namespace springfit

@@ -17,7 +17,7 @@ namespace springfit
         Eigen::MatrixXd::Zero(excitation.nodes.rows(), excitation.nodes.cols());
       for (const auto &obstacle : excitation.obstacles)
         add_contact_forces(obstacle,
-                           excitation.nodes + state.displacement,
+                           places(excitation, state.displacement),
                            state.time,
                            forces);
       return forces;
@@ -60,6 +60,16 @@ namespace springfit
     }
   } // namespace
 
+  Eigen::MatrixXd
+  places(const Excitation &excitation, const Eigen::MatrixXd &displacement)
+  {
+    Eigen::MatrixXd x = excitation.nodes + displacement;
+    for (std::size_t v = 0; v < excitation.lost_nodes.size(); ++v)
+      if (excitation.lost_nodes[v])
+        x.col(v).setConstant(std::numeric_limits<double>::infinity());
+    return x;
+  }
+
   void
   start(const double time,
         const double interval,
@@ -72,7 +82,7 @@ namespace springfit
       forces += excitation.load(state.time).forces;
       for (const auto &obstacle : excitation.obstacles)
         add_contact_forces(obstacle,
-                           excitation.nodes + state.displacement,
+                           places(excitation, state.displacement),
                            state.time,
                            forces);
     };
@@ -81,7 +91,7 @@ namespace springfit
                                 Eigen::MatrixXd &blocks) {
         for (const auto &obstacle : excitation.obstacles)
           add_contact_stiffness(obstacle,
-                                excitation.nodes + state.displacement,
+                                places(excitation, state.displacement),
                                 state.time,
                                 blocks);
       };
@@ -103,6 +113,36 @@ namespace springfit
               model.state.velocity);
     model.acceleration = rest;
     set_forces(excitation, model);
+  }
+
+  void
+  go_on_from(const MovingModel &earlier,
+             const Excitation &excitation,
+             MovingModel &model)
+  {
+    const auto energy = [](const MovingModel &of) {
+      return kinetic_energy(of.body, of.state) +
+             elastic_energy(of.body, of.state);
+    };
+    model.state        = earlier.state;
+    model.acceleration = earlier.acceleration;
+    for (std::size_t v = 0; v < excitation.lost_nodes.size(); ++v)
+      if (excitation.lost_nodes[v])
+        for (auto *of_nodes : {&model.state.displacement,
+                               &model.state.velocity,
+                               &model.state.acceleration,
+                               &model.acceleration})
+          of_nodes->col(v).setZero();
+    set_forces(excitation, model);
+
+    model.account = earlier.account;
+    model.account.dissipated += energy(earlier) - energy(model);
+    model.seconds       = earlier.seconds;
+    model.critical_step = earlier.critical_step;
+    model.square_sum    = earlier.square_sum;
+    model.largest_error = earlier.largest_error;
+    model.largest       = earlier.largest;
+    model.n_rows        = earlier.n_rows;
   }
 
   void

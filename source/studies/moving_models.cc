@@ -94,12 +94,24 @@ namespace springfit
       return std::make_unique<LinearBody>(*body, nodes.rows(), nodes.cols());
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
+    std::vector<typename CellEnergy<dim, spacedim>::Cell>
+    cells_left(const Mesh<dim, spacedim> &mesh, const Remains &remains)
+    {
+      std::vector<typename CellEnergy<dim, spacedim>::Cell> cells;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        if (remains.cells[cell->active_cell_index()])
+          cells.push_back(cell);
+      return cells;
+    }
+
+    template <int dim, int spacedim>
     std::unique_ptr<MovingModel>
-    finite_elements_in_motion(const Scene<dim> &scene,
-                              const CalibratedScene<dim> &calibrated,
-                              const DynamicsSettings<dim> &settings,
-                              const Eigen::MatrixXd &nodes)
+    finite_elements_in_motion(const Scene<spacedim> &scene,
+                              const CalibratedScene<dim, spacedim> &calibrated,
+                              const DynamicsSettings<spacedim> &settings,
+                              const Eigen::MatrixXd &nodes,
+                              const Remains &remains)
     {
       const MaterialLaw law = scene.statics.material_law();
       const auto &mesh      = *calibrated.mesh;
@@ -110,8 +122,11 @@ namespace springfit
         law == MaterialLaw::linear ? Kinematics::linear : Kinematics::nonlinear;
       model->kinematics = word_of(kinematics_words(), kinematics);
       model->elastic =
-        with_kinematics(std::make_unique<FiniteElementBody<dim>>(
-                          mesh, calibrated.element, calibrated.materials, law),
+        with_kinematics(std::make_unique<FiniteElementBody<dim, spacedim>>(
+                          cells_left(mesh, remains),
+                          calibrated.element,
+                          calibrated.materials,
+                          law),
                         kinematics,
                         nodes);
       model->body.mass =
@@ -124,6 +139,7 @@ namespace springfit
 
     std::unique_ptr<MovingModel>
     network_in_motion(const CalibratedNetwork &network,
+                      const SpringNetwork &springs,
                       const Kinematics kinematics,
                       const double spring_damper)
     {
@@ -132,14 +148,12 @@ namespace springfit
       model->fit        = network.fit;
       model->enrichment = network.enrichment;
       model->kinematics = word_of(kinematics_words(), kinematics);
-      model->elastic =
-        with_kinematics(std::make_unique<NetworkBody>(network.network),
-                        kinematics,
-                        network.network.nodes);
-      model->body.mass =
-        Eigen::Map<const Eigen::VectorXd>(network.network.mass.data(),
-                                          network.network.mass.size());
-      model->body.dampers = dampers_of(network.network, spring_damper);
+      model->elastic   = with_kinematics(std::make_unique<NetworkBody>(springs),
+                                       kinematics,
+                                       springs.nodes);
+      model->body.mass = Eigen::Map<const Eigen::VectorXd>(springs.mass.data(),
+                                                           springs.mass.size());
+      model->body.dampers = dampers_of(springs, spring_damper);
       return model;
     }
   } // namespace
@@ -158,13 +172,13 @@ namespace springfit
     return factor;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   Excitation
-  make_excitation(const Scene<dim> &scene,
-                  const CalibratedScene<dim> &calibrated,
+  make_excitation(const Scene<spacedim> &scene,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const Loading &loading,
                   const LoadCase &load_case,
-                  const DynamicsSettings<dim> &settings)
+                  const DynamicsSettings<spacedim> &settings)
   {
     Excitation excitation{calibrated.networks.front().network.nodes,
                           loading.held,
@@ -178,28 +192,32 @@ namespace springfit
     return excitation;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<std::unique_ptr<MovingModel>>
-  make_moving_models(const Scene<dim> &scene,
-                     const CalibratedScene<dim> &calibrated,
-                     const DynamicsSettings<dim> &settings,
-                     Excitation &excitation)
+  make_moving_models(const Scene<spacedim> &scene,
+                     const CalibratedScene<dim, spacedim> &calibrated,
+                     const DynamicsSettings<spacedim> &settings,
+                     Excitation &excitation,
+                     const Remains &remains)
   {
     std::vector<std::unique_ptr<MovingModel>> models;
     if (settings.has_finite_elements)
       models.push_back(finite_elements_in_motion(
-        scene, calibrated, settings, excitation.nodes));
+        scene, calibrated, settings, excitation.nodes, remains));
     for (const auto &network : calibrated.networks)
       for (const Kinematics kinematics : scene.statics.kinematics())
         models.push_back(
-          network_in_motion(network, kinematics, settings.spring_damper));
+          network_in_motion(network,
+                            opened(network.network, *calibrated.mesh, remains),
+                            kinematics,
+                            settings.spring_damper));
 
     const double size = std::numeric_limits<double>::epsilon() *
                         excitation.nodes.cwiseAbs().maxCoeff();
     for (auto &model : models)
       {
         const auto stiffness =
-          stiffness_at_rest(*model->elastic, dim, excitation.nodes.cols());
+          stiffness_at_rest(*model->elastic, spacedim, excitation.nodes.cols());
         for (auto &obstacle : excitation.obstacles)
           if (obstacle.stiffness == 0.)
             obstacle.stiffness = 10. * stiffness.mean_diagonal;
@@ -214,9 +232,9 @@ namespace springfit
         const double tolerance = settings.newton.n_iterations == 1
                                    ? settings.newton.tolerance
                                    : std::min(1e-6, settings.newton.tolerance);
-        auto chosen            = make_step_system(dim, model->body, tolerance);
-        model->system          = std::move(chosen.system);
-        model->reason          = chosen.reason;
+        auto chosen   = make_step_system(spacedim, model->body, tolerance);
+        model->system = std::move(chosen.system);
+        model->reason = chosen.reason;
         if (settings.integrator == Integrator::generalised_alpha ||
             settings.integrator == Integrator::newmark)
           set_acceleration(model->body, *model->system, model->state);
@@ -236,6 +254,12 @@ namespace springfit
                   const DynamicsSettings<2> &);
   template Excitation
   make_excitation(const Scene<3> &,
+                  const CalibratedScene<2, 3> &,
+                  const Loading &,
+                  const LoadCase &,
+                  const DynamicsSettings<3> &);
+  template Excitation
+  make_excitation(const Scene<3> &,
                   const CalibratedScene<3> &,
                   const Loading &,
                   const LoadCase &,
@@ -244,10 +268,18 @@ namespace springfit
   make_moving_models(const Scene<2> &,
                      const CalibratedScene<2> &,
                      const DynamicsSettings<2> &,
-                     Excitation &);
+                     Excitation &,
+                     const Remains &);
+  template std::vector<std::unique_ptr<MovingModel>>
+  make_moving_models(const Scene<3> &,
+                     const CalibratedScene<2, 3> &,
+                     const DynamicsSettings<3> &,
+                     Excitation &,
+                     const Remains &);
   template std::vector<std::unique_ptr<MovingModel>>
   make_moving_models(const Scene<3> &,
                      const CalibratedScene<3> &,
                      const DynamicsSettings<3> &,
-                     Excitation &);
+                     Excitation &,
+                     const Remains &);
 } // namespace springfit

@@ -39,15 +39,16 @@ namespace springfit
     }
 
     /** All cases scaled, with the response of the linear finite elements. */
-    template <int dim>
+    template <int dim, int spacedim>
     std::vector<CaseResult>
-    scale_cases(const Scene<dim> &scene,
-                const Discretization<dim> &discretization,
-                const CalibratedScene<dim> &calibrated,
+    scale_cases(const Scene<spacedim> &scene,
+                const Discretization<spacedim> &discretization,
+                const CalibratedScene<dim, spacedim> &calibrated,
                 const Loading &loading)
     {
       const auto model =
         scene.statics.linear_finite_elements(discretization,
+                                             *calibrated.mesh,
                                              calibrated.element,
                                              calibrated.materials);
       std::vector<CaseResult> results;
@@ -75,15 +76,16 @@ namespace springfit
                      equilibrium.failure);
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    solve_reference(const Scene<dim> &scene,
-                    const Discretization<dim> &discretization,
-                    const CalibratedScene<dim> &calibrated,
+    solve_reference(const Scene<spacedim> &scene,
+                    const Discretization<spacedim> &discretization,
+                    const CalibratedScene<dim, spacedim> &calibrated,
                     Session &session,
                     std::vector<CaseResult> &results)
     {
       const auto model = scene.statics.finite_elements(discretization,
+                                                       *calibrated.mesh,
                                                        calibrated.element,
                                                        calibrated.materials);
       Progress progress("Responses of the finite elements",
@@ -108,11 +110,11 @@ namespace springfit
     }
 
     /** A failure of one network leaves the results of the others. */
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    solve_network(const Scene<dim> &scene,
-                  const Discretization<dim> &discretization,
-                  const CalibratedScene<dim> &calibrated,
+    solve_network(const Scene<spacedim> &scene,
+                  const Discretization<spacedim> &discretization,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const std::size_t number,
                   const Kinematics kinematics,
                   Session &session,
@@ -125,6 +127,7 @@ namespace springfit
           {
             if (!model)
               model = scene.statics.springs(discretization,
+                                            *calibrated.mesh,
                                             calibrated.element,
                                             network.network,
                                             network.name,
@@ -147,11 +150,11 @@ namespace springfit
           }
     }
 
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    solve_networks(const Scene<dim> &scene,
-                   const Discretization<dim> &discretization,
-                   const CalibratedScene<dim> &calibrated,
+    solve_networks(const Scene<spacedim> &scene,
+                   const Discretization<spacedim> &discretization,
+                   const CalibratedScene<dim, spacedim> &calibrated,
                    Session &session,
                    std::vector<CaseResult> &results)
     {
@@ -179,16 +182,16 @@ namespace springfit
     }
   } // namespace
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<CaseResult>
-  find_references(const Scene<dim> &scene,
-                  const CalibratedScene<dim> &calibrated,
+  find_references(const Scene<spacedim> &scene,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const Loading &loading,
                   Session &session)
   {
-    const Discretization<dim> discretization(*calibrated.mesh,
-                                             loading.held,
-                                             session.communicator());
+    const Discretization<spacedim> discretization(*calibrated.mesh,
+                                                  loading.held,
+                                                  session.communicator());
     if (loading.pull && loading.pull->deformation > 1.)
       session.warn(
         "The loads shall deform the object by " +
@@ -202,18 +205,19 @@ namespace springfit
     return results;
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  scale_canned_cases(const Scene<dim> &scene,
-                     const CalibratedScene<dim> &calibrated,
+  scale_canned_cases(const Scene<spacedim> &scene,
+                     const CalibratedScene<dim, spacedim> &calibrated,
                      Session &session,
                      Loading &loading)
   {
-    const Discretization<dim> discretization(*calibrated.mesh,
-                                             loading.held,
-                                             session.communicator());
+    const Discretization<spacedim> discretization(*calibrated.mesh,
+                                                  loading.held,
+                                                  session.communicator());
     const auto model =
       scene.statics.linear_finite_elements(discretization,
+                                           *calibrated.mesh,
                                            calibrated.element,
                                            calibrated.materials);
     for (auto &load_case : loading.cases)
@@ -224,17 +228,17 @@ namespace springfit
                    model->respond(load_case.load).displacement);
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  find_responses(const Scene<dim> &scene,
-                 const CalibratedScene<dim> &calibrated,
+  find_responses(const Scene<spacedim> &scene,
+                 const CalibratedScene<dim, spacedim> &calibrated,
                  const Loading &loading,
                  std::vector<CaseResult> &results,
                  Session &session)
   {
-    const Discretization<dim> discretization(*calibrated.mesh,
-                                             loading.held,
-                                             session.communicator());
+    const Discretization<spacedim> discretization(*calibrated.mesh,
+                                                  loading.held,
+                                                  session.communicator());
     solve_networks(scene, discretization, calibrated, session, results);
   }
 
@@ -243,6 +247,11 @@ namespace springfit
                      const CalibratedScene<2> &,
                      const Loading &,
                      Session &);
+  template std::vector<CaseResult>
+  find_references<2, 3>(const Scene<3> &,
+                        const CalibratedScene<2, 3> &,
+                        const Loading &,
+                        Session &);
   template std::vector<CaseResult>
   find_references<3>(const Scene<3> &,
                      const CalibratedScene<3> &,
@@ -254,6 +263,11 @@ namespace springfit
                         Session &,
                         Loading &);
   template void
+  scale_canned_cases<2, 3>(const Scene<3> &,
+                           const CalibratedScene<2, 3> &,
+                           Session &,
+                           Loading &);
+  template void
   scale_canned_cases<3>(const Scene<3> &,
                         const CalibratedScene<3> &,
                         Session &,
@@ -264,6 +278,12 @@ namespace springfit
                     const Loading &,
                     std::vector<CaseResult> &,
                     Session &);
+  template void
+  find_responses<2, 3>(const Scene<3> &,
+                       const CalibratedScene<2, 3> &,
+                       const Loading &,
+                       std::vector<CaseResult> &,
+                       Session &);
   template void
   find_responses<3>(const Scene<3> &,
                     const CalibratedScene<3> &,

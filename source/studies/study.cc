@@ -52,6 +52,11 @@ namespace springfit
           scene.fit.check_states(scene.statics.material_law());
           break;
         case StudyKind::sweep:
+          if (scene.geometry.dimension_of_cells() < dim)
+            throw EntryError("Geometry/Cells",
+                             "a sweep tests a single cell, which is the same "
+                             "in the plane as on a surface in space.",
+                             "Set Dimension = 2.");
           if (scene.fit.scope() == Scope::object)
             throw EntryError("Fit/Scope",
                              "a sweep fits a single cell.",
@@ -77,21 +82,38 @@ namespace springfit
       }
   }
 
-  template <int dim>
-  void
-  run_study(const StudyKind study, const Scene<dim> &scene, Session &session)
+  namespace
   {
-    switch (study)
-      {
-        case StudyKind::calibrate:
-          return calibrate(scene, session);
-        case StudyKind::compare:
-          return compare(scene, session);
-        case StudyKind::sweep:
-          return sweep(scene, session);
-        case StudyKind::dynamics:
-          return dynamics(scene, session);
-      }
+    template <int dim, int spacedim>
+    void
+    run_study_of_cells(const StudyKind study,
+                       const Scene<spacedim> &scene,
+                       Session &session)
+    {
+      switch (study)
+        {
+          case StudyKind::calibrate:
+            return calibrate<dim, spacedim>(scene, session);
+          case StudyKind::compare:
+            return compare<dim, spacedim>(scene, session);
+          case StudyKind::sweep:
+            return sweep(scene, session);
+          case StudyKind::dynamics:
+            return dynamics<dim, spacedim>(scene, session);
+        }
+    }
+  } // namespace
+
+  template <int spacedim>
+  void
+  run_study(const StudyKind study,
+            const Scene<spacedim> &scene,
+            Session &session)
+  {
+    if (scene.geometry.dimension_of_cells() == 2)
+      run_study_of_cells<2>(study, scene, session);
+    else if constexpr (spacedim == 3)
+      run_study_of_cells<3>(study, scene, session);
   }
 
   template void

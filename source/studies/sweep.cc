@@ -5,6 +5,7 @@
 #include <springfit/core/progress.h>
 #include <springfit/fit/fit.h>
 #include <springfit/output/sweep_table.h>
+#include <springfit/reference/cell_frame.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/study.h>
@@ -222,7 +223,7 @@ namespace springfit
   void
   sweep(const Scene<dim> &scene, Session &session)
   {
-    const auto mesh = make_scene(scene, session);
+    const auto mesh = make_scene<dim, dim>(scene, session);
     CellTest<dim> cell_test(scene, mesh);
     const auto youngs_moduli   = scene.sweep_range.youngs_moduli();
     const auto poissons_ratios = scene.sweep_range.poissons_ratios();

@@ -534,7 +534,7 @@ TEST(Conformity, the_objects_conform_also_with_jitter)
       for (const CellKind kind : all_kinds)
         for (const double h : {0.005, 0.0013})
           {
-            const ObjectRequest request{dim, kind, size, {h}, "", 1.};
+            const ObjectRequest request{dim, dim, kind, size, {h}, "", 1.};
             if (dimension(kind) != dim)
               continue;
             try

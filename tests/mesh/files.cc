@@ -139,7 +139,7 @@ TEST(File, with_a_solid_geometry_is_meshed_but_not_with_hexahedra)
   expect_error([]() { read<3>("rod.geo", "Cells = hexahedra"); },
                {"Geometry/Cells", "hexahedra", "tetrahedra"});
   expect_error([]() { read<2>("rod.geo"); },
-               {"geometry of dimension 3", "scene has dimension 2"});
+               {"geometry of dimension 3", "cells of dimension 2"});
   expect_error(
     []() { read<3>("rod.geo", "Cells = tetrahedra; Cell size = 0"); },
     {"Geometry/Cell size", "'0'"});

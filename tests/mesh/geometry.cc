@@ -157,7 +157,8 @@ TEST(Cylinder, of_hexahedra_has_good_cells_at_every_size)
     {
       const auto mesh =
         find_object("cylinder")
-          .describe({3, CellKind::hexahedron, {0.02, 0.02, 0.02}, {h}, "", 1.});
+          .describe(
+            {3, 3, CellKind::hexahedron, {0.02, 0.02, 0.02}, {h}, "", 1.});
       for (unsigned int c = 0; c < mesh.n_cells(); ++c)
         for (const double j : scaled_jacobians(mesh, c))
           ASSERT_GT(j, 0.7);
@@ -184,7 +185,7 @@ TEST(Build, indices_are_those_of_the_description)
     {
       const auto description =
         find_object("cylinder")
-          .describe({3, kind, {0.02, 0.02, 0.02}, {0.005}, "", 1.});
+          .describe({3, 3, kind, {0.02, 0.02, 0.02}, {0.005}, "", 1.});
       const auto mesh = build_mesh<3>(description);
       ASSERT_EQ(mesh->triangulation.n_vertices(), description.vertices.size());
       for (unsigned int v = 0; v < description.vertices.size(); ++v)
@@ -207,7 +208,7 @@ TEST(Build, indices_are_those_of_the_description)
 TEST(Build, ranks_share_the_cells)
 {
   const auto description = find_object("box").describe(
-    {2, CellKind::triangle, {0.02, 0.02}, {0.0025}, "", 1.});
+    {2, 2, CellKind::triangle, {0.02, 0.02}, {0.0025}, "", 1.});
   const auto mesh = build_mesh<2>(description, 3);
   std::vector<unsigned int> n_cells(3, 0);
   for (const auto &cell : mesh->triangulation.active_cell_iterators())
@@ -257,6 +258,6 @@ TEST(Entries, of_bad_values_are_refused)
     {"Geometry/Size", "height, diameter, diameter"});
 
   const ObjectRequest nan{
-    2, CellKind::triangle, {0.02, std::nan("")}, {0.01}, "", 1.};
+    2, 2, CellKind::triangle, {0.02, std::nan("")}, {0.01}, "", 1.};
   expect_error([&]() { find_object("box").check(nan); }, {"Geometry/Size"});
 }

@@ -26,7 +26,7 @@ namespace
   {
     const int dim = dimension(kind);
     return find_object("box").describe(
-      {dim, kind, std::vector<double>(dim, 1.), cell_size, "", 1.});
+      {dim, dim, kind, std::vector<double>(dim, 1.), cell_size, "", 1.});
   }
 
   const std::vector<CellKind> all_kinds = {CellKind::triangle,

@@ -4,6 +4,7 @@
 #include <springfit/calibration/shape_quality.h>
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/mesh.h>
+#include <springfit/reference/cell_frame.h>
 #include <springfit/reference/cell_matrices.h>
 
 #include <gtest/gtest.h>

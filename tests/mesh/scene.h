@@ -19,21 +19,21 @@ section_of(std::string entries)
 }
 
 /** The mesh that a parameter file would give; paths start in @p folder. */
-template <int dim>
-std::unique_ptr<springfit::Mesh<dim>>
+template <int dim, int spacedim = dim>
+std::unique_ptr<springfit::Mesh<dim, spacedim>>
 make_mesh(const std::string &entries, const std::string &folder = ".")
 {
   dealii::ParameterAcceptor::clear();
-  springfit::Geometry<dim> geometry;
+  springfit::Geometry<spacedim> geometry;
   auto &prm = dealii::ParameterAcceptor::prm;
   prm.parse_input_from_string(section_of(entries));
   dealii::ParameterAcceptor::parse_all_parameters(prm);
-  return geometry.create(MPI_COMM_SELF, folder);
+  return geometry.template create<dim>(MPI_COMM_SELF, folder);
 }
 
-template <int dim>
+template <int dim, int spacedim>
 double
-measure_of(const springfit::Mesh<dim> &mesh)
+measure_of(const springfit::Mesh<dim, spacedim> &mesh)
 {
   double measure = 0.;
   for (const auto &cell : mesh.triangulation.active_cell_iterators())

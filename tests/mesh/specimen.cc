@@ -198,7 +198,7 @@ TEST(Specimen, KeepsItsStraightPartOnTheWayToOtherRanks)
   for (const std::string object : {"specimen", "box"})
     {
       const auto sent = find_object(object).describe(
-        {2, CellKind::quadrilateral, {0.16, 0.03}, {0.005}, "", 1.});
+        {2, 2, CellKind::quadrilateral, {0.16, 0.03}, {0.005}, "", 1.});
       const auto received = dealii::Utilities::unpack<MeshDescription>(
         dealii::Utilities::pack(sent));
       EXPECT_EQ(received.vertices, sent.vertices);
@@ -218,7 +218,8 @@ TEST(Specimen, OfOneCellAcrossItsStraightPartGivesAWarning)
                            const std::vector<double> &cell_size) {
     const bool plane = dimension(kind) == 2;
     return find_object("specimen")
-      .describe({plane ? 2 : 3,
+      .describe({dimension(kind),
+                 dimension(kind),
                  kind,
                  plane ? std::vector<double>{0.16, 0.03}
                        : std::vector<double>{0.16, 0.03, 0.01},

@@ -30,6 +30,7 @@ namespace
   {
     Bar()
       : mesh(build_mesh<2>(find_object("box").describe({2,
+                                                        2,
                                                         CellKind::quadrilateral,
                                                         {length, height},
                                                         {height / 4.},

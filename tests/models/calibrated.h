@@ -32,9 +32,9 @@ namespace springfit::oracle
             {1, {stiff, lame_constants(stiff), 1.}}};
   }
 
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<CalibratedNetwork>
-  calibrated(const Mesh<dim> &mesh,
+  calibrated(const Mesh<dim, spacedim> &mesh,
              const MaterialTable &materials,
              const std::string &entries = " set Methods = block, frobenius\n",
              const MaterialLaw law      = MaterialLaw::linear)
@@ -44,10 +44,10 @@ namespace springfit::oracle
       ("springfit_calibration_test_" + std::to_string(getpid()));
     Session session(MPI_COMM_SELF, folder);
     const auto section =
-      make_step<FitSection<dim>>("subsection Fit\n" + entries + "end");
+      make_step<FitSection<spacedim>>("subsection Fit\n" + entries + "end");
     auto networks = calibrate(*section,
                               mesh,
-                              make_element<dim>(mesh.cell_kind),
+                              make_element<dim, spacedim>(mesh.cell_kind),
                               materials,
                               {},
                               law,

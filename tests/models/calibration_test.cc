@@ -1,6 +1,7 @@
 #include <springfit/calibration/calibration.h>
 #include <springfit/calibration/distinct_cells.h>
 #include <springfit/reference/cell_energy.h>
+#include <springfit/reference/cell_frame.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/volume.h>

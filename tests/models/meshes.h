@@ -85,15 +85,15 @@ namespace springfit::oracle
     return build_mesh<dim>(description);
   }
 
-  /** The vertices of a mesh in m, dim x n_nodes. */
-  template <int dim>
+  /** The vertices of a mesh in m, spacedim x n_nodes. */
+  template <int dim, int spacedim>
   Eigen::MatrixXd
-  nodes_of(const Mesh<dim> &mesh)
+  nodes_of(const Mesh<dim, spacedim> &mesh)
   {
     const auto &vertices = mesh.triangulation.get_vertices();
-    Eigen::MatrixXd nodes(dim, vertices.size());
+    Eigen::MatrixXd nodes(spacedim, vertices.size());
     for (unsigned int v = 0; v < vertices.size(); ++v)
-      for (int d = 0; d < dim; ++d)
+      for (int d = 0; d < spacedim; ++d)
         nodes(d, v) = vertices[v][d];
     return nodes;
   }

@@ -3,6 +3,7 @@
 
 // What the tests of nonlinear bodies and their statics have in common.
 
+#include <springfit/reference/cell_frame.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/material_law.h>
 #include <springfit/response/elastic_body.h>

@@ -66,6 +66,7 @@ TEST(NonlinearStatics, NeoHookeanBarWithoutLateralContraction)
     {
       const auto found = statics
                            ->finite_elements(bar.discretization,
+                                             *bar.mesh,
                                              bar.element,
                                              {{0, solid_material(1e4, 0.)}})
                            ->respond(load_of_forces(bar.pull(P, 1.)));
@@ -98,14 +99,14 @@ TEST(NonlinearStatics, TinyLoadsGiveTheLinearResponse)
       EXPECT_LT((found.displacement - expected.displacement).norm(),
                 1e-6 * expected.displacement.norm());
     };
-  check(*statics->linear_finite_elements(bar.discretization,
-                                         bar.element,
-                                         materials),
-        *statics->finite_elements(bar.discretization, bar.element, materials),
+  check(*statics->linear_finite_elements(
+          bar.discretization, *bar.mesh, bar.element, materials),
+        *statics->finite_elements(
+          bar.discretization, *bar.mesh, bar.element, materials),
         1e-4);
   const auto springs = [&](const Kinematics kinematics) {
     return statics->springs(
-      bar.discretization, bar.element, network, "test", kinematics);
+      bar.discretization, *bar.mesh, bar.element, network, "test", kinematics);
   };
   // Springs of 1 N/m in cells of 0.01 m.
   check(*springs(Kinematics::linear), *springs(Kinematics::nonlinear), 1e-6);
@@ -120,6 +121,7 @@ TEST(NonlinearStatics, AColumnBucklesWhereEulerSays)
     "subsection Response\n set Material law = neo-hookean\nend");
   const auto found = statics
                        ->finite_elements(bar.discretization,
+                                         *bar.mesh,
                                          bar.element,
                                          {{0, solid_material(1e4, 0.)}})
                        ->respond(load_of_forces(bar.pull(-6e3, 1.)));
@@ -137,6 +139,7 @@ TEST(NonlinearStatics, ALoadBeyondTheLimitSaysHowFarItGot)
   const auto statics = make_step<Statics<2>>(
     "subsection Response\n set Material law = st venant-kirchhoff\nend");
   const auto model   = statics->finite_elements(bar.discretization,
+                                              *bar.mesh,
                                               bar.element,
                                               {{0, sheet_material(1e4, 0.)}});
   const double limit = 1e4 / (3. * std::sqrt(3.));
@@ -229,7 +232,7 @@ TEST(NonlinearSprings, ShallowTrussFollowsItsCurveUpToTheLimit)
                                          MPI_COMM_SELF);
   const auto statics = make_step<Statics<2>>("");
   const auto model   = statics->springs(
-    discretization, element, network, "test", Kinematics::nonlinear);
+    discretization, *mesh, element, network, "test", Kinematics::nonlinear);
   const double L   = std::sqrt(1. + h * h);
   const auto force = [&](const double y) {
     const double l = std::sqrt(1. + y * y);

@@ -36,7 +36,7 @@ namespace
     {
       return make_step<Statics<3>>("subsection Response\n set Material law = " +
                                    law + "\n set Tolerance = 1e-12\nend")
-        ->finite_elements(discretization, element, materials)
+        ->finite_elements(discretization, *mesh, element, materials)
         ->respond(loading.cases.front().load);
     }
 

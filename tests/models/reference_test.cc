@@ -1,3 +1,4 @@
+#include <springfit/reference/cell_frame.h>
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/material.h>
 

@@ -77,11 +77,13 @@ namespace
                                              loading.held,
                                              MPI_COMM_SELF);
     const auto load = loading.cases.front().load;
-    const auto u =
-      statics
-        ->finite_elements(discretization, element, one_material<dim>(E, 0., h))
-        ->respond(load)
-        .displacement;
+    const auto u    = statics
+                     ->finite_elements(discretization,
+                                       *mesh,
+                                       element,
+                                       one_material<dim>(E, 0., h))
+                     ->respond(load)
+                     .displacement;
 
     Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(dim, u.cols());
     expected.row(0)          = nodes_of(*mesh).row(0) / E; // 1 Pa
@@ -126,7 +128,8 @@ TEST(Springs, TangentIsTheSumOverSprings)
   const auto element = make_element<2>(mesh->cell_kind);
   const auto u =
     statics
-      ->springs(discretization, element, network, "test", Kinematics::linear)
+      ->springs(
+        discretization, *mesh, element, network, "test", Kinematics::linear)
       ->respond(load_of_forces(forces))
       .displacement;
   Eigen::Matrix2d K;
@@ -152,7 +155,8 @@ TEST(Springs, AMechanismIsRefused)
   const auto statics = oracle::make_step<Statics<2>>("");
   EXPECT_THROW(
     statics
-      ->springs(discretization, element, network, "test", Kinematics::linear)
+      ->springs(
+        discretization, *mesh, element, network, "test", Kinematics::linear)
       ->respond(load_of_forces(forces)),
     RunError);
 }
@@ -230,7 +234,7 @@ namespace
   {
     const double B = 0.01, E = 1e4, nu = 0.3, strain = 0.02;
     const double thickness = dim == 2 ? 0.5 : 1.;
-    ObjectRequest request{dim, kind, {16. * B, 3. * B}, {0.006}, "", 1.};
+    ObjectRequest request{dim, dim, kind, {16. * B, 3. * B}, {0.006}, "", 1.};
     if (dim == 3)
       request.size.push_back(B);
     const auto mesh =
@@ -274,7 +278,7 @@ TEST(DeliveredConstants, AcrossASpecimenAreThoseOfTheMiddleThird)
   // that the area there is the length times the thickness.
   const auto mesh = build_mesh<2>(
     find_object("specimen")
-      .describe({2, CellKind::triangle, {0.16, 0.03}, {0.005}, "", 1.}));
+      .describe({2, 2, CellKind::triangle, {0.16, 0.03}, {0.005}, "", 1.}));
   const auto element  = make_element<2>(mesh->cell_kind);
   const double strain = 0.01;
   Eigen::MatrixXd u   = Eigen::MatrixXd(strain * nodes_of(*mesh));

@@ -29,11 +29,11 @@ namespace springfit
    * @throws RunError when a fit fails or its certified gap exceeds the
    * tolerance, with the cell, its place and its shape quality.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<CalibratedNetwork>
-  calibrate(const FitSection<dim> &section,
-            const Mesh<dim> &mesh,
-            const Element<dim> &element,
+  calibrate(const FitSection<spacedim> &section,
+            const Mesh<dim, spacedim> &mesh,
+            const Element<dim, spacedim> &element,
             const MaterialTable &materials,
             const Eigen::MatrixXd &responses,
             MaterialLaw law,

@@ -18,35 +18,36 @@
 
 namespace springfit
 {
-  template <int dim>
+  template <int dim, int spacedim = dim>
   using CellIterator =
-    typename dealii::Triangulation<dim>::active_cell_iterator;
+    typename dealii::Triangulation<dim, spacedim>::active_cell_iterator;
 
   /** The cells of a mesh; the position is the active cell index. */
-  template <int dim>
-  std::vector<CellIterator<dim>>
-  cells_by_index(const Mesh<dim> &mesh);
+  template <int dim, int spacedim>
+  std::vector<CellIterator<dim, spacedim>>
+  cells_by_index(const Mesh<dim, spacedim> &mesh);
 
 
-  /** The material as the fits know it. */
+  /** The material as the fits know it, in cells of dimension @p dim. */
   template <int dim>
   IsotropicMaterial
   material_of(const CellMaterial &material);
 
-  /** What the fits of one cell are given. */
-  template <int dim>
+  /** What the fits of one cell are given, in its own coordinates. */
+  template <int dim, int spacedim = dim>
   FitProblem
   cell_problem(
-    const typename dealii::Triangulation<dim>::active_cell_iterator &cell,
+    const typename dealii::Triangulation<dim, spacedim>::active_cell_iterator
+      &cell,
     CellKind kind,
-    CellMatrices<dim> &cell_matrices,
+    CellMatrices<dim, spacedim> &cell_matrices,
     const CellMaterial &material);
 
 
   /** The deformed states that fits shall suit. */
   struct ReferenceStates
   {
-    /** F of homogeneous deformations, dim x dim. */
+    /** F of homogeneous deformations, dim x dim; of bodies only. */
     std::vector<Eigen::MatrixXd> deformation_gradients;
 
     /** Of the finite elements. */
@@ -76,11 +77,11 @@ namespace springfit
    * @throws RunError when a fit fails or its certified gap exceeds the
    * tolerance, with the cell, its place and its shape quality.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<TimedFit>
   fit_distinct_cells(const DistinctCells &cells,
-                     const Mesh<dim> &mesh,
-                     const Element<dim> &element,
+                     const Mesh<dim, spacedim> &mesh,
+                     const Element<dim, spacedim> &element,
                      const MaterialTable &materials,
                      const Method &method,
                      const FitOptions &options,

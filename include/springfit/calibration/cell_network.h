@@ -12,12 +12,12 @@ namespace springfit
    *
    * @param models by position in cells.distinct
    */
-  template <int dim>
+  template <int dim, int spacedim>
   SpringNetwork
-  assemble_network(const Mesh<dim> &mesh,
+  assemble_network(const Mesh<dim, spacedim> &mesh,
                    const DistinctCells &cells,
                    const std::vector<CellModel> &models,
-                   const Element<dim> &element,
+                   const Element<dim, spacedim> &element,
                    const MaterialTable &materials);
 } // namespace springfit
 

@@ -41,22 +41,22 @@ namespace springfit
    * renumbered and uniformly scaled copies of a cell have the same spring
    * constants up to the power dim - 2 of the scale.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   DistinctCells
-  find_distinct_cells(const Mesh<dim> &mesh);
+  find_distinct_cells(const Mesh<dim, spacedim> &mesh);
 
   /**
    * The same of constants that depend on the cell's directions: only moved and
    * uniformly scaled copies share them.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   DistinctCells
-  find_distinct_oriented_cells(const Mesh<dim> &mesh);
+  find_distinct_oriented_cells(const Mesh<dim, spacedim> &mesh);
 
   /** Each cell as a distinct one, for what does not depend on it alone. */
-  template <int dim>
+  template <int dim, int spacedim>
   DistinctCells
-  every_cell(const Mesh<dim> &mesh);
+  every_cell(const Mesh<dim, spacedim> &mesh);
 } // namespace springfit
 
 #endif

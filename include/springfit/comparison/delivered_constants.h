@@ -25,14 +25,14 @@ namespace springfit
    * Nothing where there is nothing to measure: no material in that part, or
    * none that is strained.
    *
-   * @param displacement m, dim x n_nodes
-   * @param forces       N, dim x n_nodes, those that pull
+   * @param displacement m, spacedim x n_nodes
+   * @param forces       N, spacedim x n_nodes, those that pull
    * @param thickness    m in 2-d, 1 in 3-d
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::optional<YoungPoisson>
-  delivered_constants(const Mesh<dim> &mesh,
-                      const Element<dim> &element,
+  delivered_constants(const Mesh<dim, spacedim> &mesh,
+                      const Element<dim, spacedim> &element,
                       const Eigen::VectorXd &axis,
                       const Eigen::MatrixXd &displacement,
                       const Eigen::MatrixXd &forces,

@@ -18,9 +18,9 @@ namespace springfit
   };
 
   /** A row for each boundary id of the mesh, in ascending order. */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<BoundaryRow>
-  boundary_table(const Mesh<dim> &mesh);
+  boundary_table(const Mesh<dim, spacedim> &mesh);
 
   /**
    * The boundaries that a user names by numbers or names. No words, no ids.
@@ -30,9 +30,9 @@ namespace springfit
    * @throws EntryError listing the boundaries of the mesh when one is absent or
    * ambiguous.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::set<dealii::types::boundary_id>
-  find_boundaries(const Mesh<dim> &mesh,
+  find_boundaries(const Mesh<dim, spacedim> &mesh,
                   const std::vector<std::string> &ids_or_names,
                   const std::string &entry);
 

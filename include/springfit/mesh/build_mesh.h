@@ -13,8 +13,8 @@ namespace springfit
    * are the description's. The cells are shared among @p n_ranks ranks by
    * their subdomain ids, in the same way wherever it is called.
    */
-  template <int dim>
-  std::unique_ptr<Mesh<dim>>
+  template <int dim, int spacedim = dim>
+  std::unique_ptr<Mesh<dim, spacedim>>
   build_mesh(const MeshDescription &description, unsigned int n_ranks = 1);
 } // namespace springfit
 

@@ -35,6 +35,10 @@ namespace springfit
     std::vector<std::optional<unsigned int>> vertex_of_node;
   };
 
+  /** How to mend a scene whose file holds cells of dimension @p dim, 2 or 3. */
+  std::string
+  advice_on_dimension(int dim);
+
   /**
    * The mesh of the elements of dimension @p dim, without ids of boundaries.
    * Nodes without cells are counted in a warning. @p points holds the nodes in

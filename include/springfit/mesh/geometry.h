@@ -18,7 +18,7 @@ namespace springfit
   /**
    * The section Geometry: which object, of which cells.
    */
-  template <int dim>
+  template <int spacedim>
   class Geometry : public dealii::ParameterAcceptor
   {
   public:
@@ -42,13 +42,19 @@ namespace springfit
     void
     check_files(const std::filesystem::path &folder_of_prm) const;
 
+    /** That of space, or 2 for a surface in it. */
+    int
+    dimension_of_cells() const;
+
     /**
      * Make the mesh on the first rank, check it and give it to all ranks,
      * which share the cells among them by subdomain ids. Collective.
+     * @p dim is dimension_of_cells().
      *
      * @throws EntryError or InputError, the same on all ranks.
      */
-    std::unique_ptr<Mesh<dim>>
+    template <int dim = spacedim>
+    std::unique_ptr<Mesh<dim, spacedim>>
     create(MPI_Comm communicator,
            const std::filesystem::path &folder_of_prm) const;
 
@@ -60,8 +66,11 @@ namespace springfit
     ObjectRequest
     request(const std::filesystem::path &folder_of_prm) const;
 
+    CellKind
+    cell_kind() const;
+
     std::string object_ = "box";
-    std::string cells_  = dim == 2 ? "quadrilaterals" : "hexahedra";
+    std::string cells_  = spacedim == 2 ? "quadrilaterals" : "hexahedra";
     std::vector<double> size_;
     std::vector<double> cell_size_;
     double jitter_ = 0.;

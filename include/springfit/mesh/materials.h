@@ -18,9 +18,9 @@ namespace springfit
   };
 
   /** A row for each material id of the mesh, in ascending order. */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<MaterialRow>
-  material_table(const Mesh<dim> &mesh);
+  material_table(const Mesh<dim, spacedim> &mesh);
 
   /**
    * The materials that a user names by a number or name.
@@ -30,9 +30,9 @@ namespace springfit
    * @throws EntryError listing the materials of the mesh when it is absent or
    * ambiguous.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::set<dealii::types::material_id>
-  find_materials(const Mesh<dim> &mesh,
+  find_materials(const Mesh<dim, spacedim> &mesh,
                  const std::string &id_or_name,
                  const std::string &entry);
 

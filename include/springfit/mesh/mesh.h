@@ -14,18 +14,19 @@
 namespace springfit
 {
   /**
-   * A checked mesh of one cell kind, lengths in m. Every rank of a parallel
-   * run holds all of it; the cells' subdomain ids say which rank works on
-   * which cell.
+   * A checked mesh of one cell kind, lengths in m: a body, or cells of a lower
+   * dimension in space, as deal.II understands @p dim and @p spacedim. Every
+   * rank of a parallel run holds all of it; the cells' subdomain ids say which
+   * rank works on which cell.
    *
    * Every vertex of the triangulation belongs to a cell, so a vertex index is
    * the number of a node, in tables as in vectors.
    */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   struct Mesh
   {
     CellKind cell_kind;
-    dealii::Triangulation<dim> triangulation;
+    dealii::Triangulation<dim, spacedim> triangulation;
 
     /**
      * Names of boundary ids and material ids, where there are any: an id may

@@ -15,6 +15,15 @@ namespace springfit
   void
   check_mesh(MeshDescription &mesh);
 
+  /**
+   * The same of a surface in space: afterwards every cell has an area. Which
+   * side of it is up has no meaning.
+   *
+   * @throws InputError that names the first offending cell or vertex.
+   */
+  void
+  check_surface(MeshDescription &mesh);
+
   /** @throws InputError when there are no cells. */
   void
   check_not_empty(const MeshDescription &mesh);

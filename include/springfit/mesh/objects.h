@@ -16,7 +16,10 @@ namespace springfit
   /** What the section Geometry of a parameter file asks for. */
   struct ObjectRequest
   {
+    /** Of the cells: 2 of a surface in space, too. */
     int dim;
+
+    int spacedim;
     CellKind cell_kind;
 
     /** Extents along x, y, z in m: dim numbers. */
@@ -51,7 +54,7 @@ namespace springfit
     std::string help;
 
     /**
-     * The Size where none is given, m, for each dimension that the object can
+     * The Size where none is given, m, for each dimension that its cells can
      * have; empty if it has no use for a size.
      */
     std::map<int, std::vector<double>> default_size;
@@ -118,6 +121,12 @@ namespace springfit
 
   MeshDescription
   describe_single_cell(const ObjectRequest &request);
+
+  void
+  check_ventricle_floor(const ObjectRequest &request);
+
+  MeshDescription
+  describe_ventricle_floor(const ObjectRequest &request);
 
   void
   check_file(const ObjectRequest &request);

@@ -39,6 +39,14 @@ namespace springfit
   };
 
 
+  /** Cells that are taken out of a body, such as by a catheter. */
+  struct Opening
+  {
+    std::string condition; // that all of their vertices meet at rest
+    double time;           // s
+  };
+
+
   /** How a scene moves. */
   template <int dim>
   struct DynamicsSettings
@@ -57,6 +65,7 @@ namespace springfit
     std::vector<NamedPoint<dim>> points;
     std::vector<std::string> boundaries; // whose mean motion is wanted
     std::string load_factor;             // of canned cases, of t
+    std::vector<Opening> openings;       // in the order of their times
   };
 
 
@@ -91,6 +100,7 @@ namespace springfit
     std::string points_;
     std::string boundaries_;
     std::string load_factor_ = "1";
+    std::string openings_;
   };
 } // namespace springfit
 

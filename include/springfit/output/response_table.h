@@ -14,9 +14,10 @@ namespace springfit
    * cells.csv: a row per cell with its nodes, counted from 0, in deal.II's
    * order (of quadrilaterals and hexahedra lexicographic, x fastest).
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  write_cells(const std::filesystem::path &folder, const Mesh<dim> &mesh);
+  write_cells(const std::filesystem::path &folder,
+              const Mesh<dim, spacedim> &mesh);
 
   /**
    * A load case as numbers that read back as the same doubles: a row per node

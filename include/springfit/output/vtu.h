@@ -24,10 +24,21 @@ namespace springfit
   };
 
   /** The cells of a mesh with values at their nodes. */
-  template <int dim>
+  template <int dim, int spacedim>
   void
   write_mesh_vtu(const std::filesystem::path &path,
-                 const Mesh<dim> &mesh,
+                 const Mesh<dim, spacedim> &mesh,
+                 const std::vector<NodalField> &fields);
+
+  /**
+   * The same of some cells, of which @p cells has a flag each, by active cell
+   * index.
+   */
+  template <int dim, int spacedim>
+  void
+  write_mesh_vtu(const std::filesystem::path &path,
+                 const Mesh<dim, spacedim> &mesh,
+                 const std::vector<bool> &cells,
                  const std::vector<NodalField> &fields);
 
   /**

@@ -20,25 +20,30 @@ namespace springfit
    * The elastic energy of single cells, with the quadrature of their linear
    * stiffness, total Lagrangian (Bonet and Wood 2008, chapter 9).
    */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   class CellEnergy
   {
   public:
-    using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
+    using Cell =
+      typename dealii::Triangulation<dim, spacedim>::active_cell_iterator;
 
-    CellEnergy(const Element<dim> &element, MaterialLaw law);
+    CellEnergy(const Element<dim, spacedim> &element, MaterialLaw law);
 
     /**
-     * @param displacement dim x n_vertices, m
+     * @param displacement spacedim x n_vertices, m
      * @return nothing where the law has no energy: of the neo-Hookean law,
-     * where material is turned inside out.
+     * where material is turned inside out; on surfaces in space, of all laws
+     * but the linear one, where a cell has no area.
      */
     std::optional<EnergyTerm>
     evaluate(const Cell &cell,
              const CellMaterial &material,
              const Eigen::MatrixXd &displacement);
 
-    /** The smallest det F at the quadrature points. */
+    /**
+     * The smallest det F at the quadrature points; of surfaces in space the
+     * ratio of areas.
+     */
     double
     smallest_jacobian(const Cell &cell, const Eigen::MatrixXd &displacement);
 
@@ -48,14 +53,15 @@ namespace springfit
                           const CellMaterial &material,
                           const Eigen::MatrixXd &displacement);
 
-    /** F at a quadrature point of the cell that the values stand on. */
-    Eigen::Matrix<double, dim, dim>
-    deformation_gradient(const Eigen::MatrixXd &displacement,
-                         unsigned int q) const;
+    using Frame = Eigen::Matrix<double, spacedim, dim>;
+
+    /** Of all shape functions in the coordinates of the cell, in columns. */
+    Eigen::MatrixXd
+    gradients(const Frame &frame, unsigned int q) const;
 
     const MaterialLaw law_;
-    CellMatrices<dim> matrices_;
-    dealii::FEValues<dim> values_;
+    CellMatrices<dim, spacedim> matrices_;
+    dealii::FEValues<dim, spacedim> values_;
   };
 } // namespace springfit
 

@@ -11,28 +11,23 @@
 
 namespace springfit
 {
-  /** The vertices of a cell in m, dim x n_vertices. */
-  template <int dim>
-  Eigen::MatrixXd
-  cell_points(
-    const typename dealii::Triangulation<dim>::active_cell_iterator &cell);
-
-
   /**
-   * The finite element matrices of single cells. Degree of freedom
-   * dim * v + d is component d of vertex v.
+   * The finite element matrices of single cells, in their own coordinates (see
+   * cell_frame.h). Degree of freedom dim * v + d is component d of vertex v.
    */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   class CellMatrices
   {
   public:
-    using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
+    using Cell =
+      typename dealii::Triangulation<dim, spacedim>::active_cell_iterator;
 
-    explicit CellMatrices(const Element<dim> &element);
+    explicit CellMatrices(const Element<dim, spacedim> &element);
 
     /**
      * The stiffness R = integral of B^T D B of linear isotropic elasticity in
-     * N/m, (dim n_vertices) x (dim n_vertices); in 2-d times the thickness.
+     * N/m, (dim n_vertices) x (dim n_vertices); of cells of dimension 2 times
+     * the thickness.
      */
     Eigen::MatrixXd
     stiffness(const Cell &cell, const CellMaterial &material);
@@ -57,9 +52,21 @@ namespace springfit
     volume(const Cell &cell);
 
   private:
-    dealii::FEValues<dim> values_;
-    dealii::FEValues<dim> nodal_values_;
+    dealii::FEValues<dim, spacedim> values_;
+    dealii::FEValues<dim, spacedim> nodal_values_;
   };
+
+
+  /**
+   * The matrix of a cell, (spacedim n_vertices) x (spacedim n_vertices), whose
+   * matrix in its own coordinates is @p flat.
+   *
+   * @param frame see cell_frame.h
+   */
+  template <int dim, int spacedim>
+  Eigen::MatrixXd
+  in_space(const Eigen::Matrix<double, spacedim, dim> &frame,
+           const Eigen::MatrixXd &flat);
 } // namespace springfit
 
 #endif

@@ -13,10 +13,10 @@ namespace springfit
    * The integrals of the density times N_a N_b, kg, n_nodes x n_nodes, in 2-d
    * times the thickness: the mass of each component of a motion.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::SparseMatrix<double>
-  consistent_mass(const Mesh<dim> &mesh,
-                  const Element<dim> &element,
+  consistent_mass(const Mesh<dim, spacedim> &mesh,
+                  const Element<dim, spacedim> &element,
                   const MaterialTable &materials);
 } // namespace springfit
 

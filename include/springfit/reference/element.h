@@ -16,11 +16,11 @@ namespace springfit
    * linear element (P1 or Q1), its mapping, and quadratures that are exact
    * for its stiffness on affine cells.
    */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   struct Element
   {
-    std::unique_ptr<dealii::FiniteElement<dim>> scalar;
-    std::unique_ptr<dealii::Mapping<dim>> mapping;
+    std::unique_ptr<dealii::FiniteElement<dim, spacedim>> scalar;
+    std::unique_ptr<dealii::Mapping<dim, spacedim>> mapping;
     dealii::Quadrature<dim> quadrature;
     dealii::Quadrature<dim - 1> face_quadrature;
 
@@ -28,8 +28,8 @@ namespace springfit
     dealii::Quadrature<dim> nodal_quadrature;
   };
 
-  template <int dim>
-  Element<dim>
+  template <int dim, int spacedim = dim>
+  Element<dim, spacedim>
   make_element(CellKind kind);
 } // namespace springfit
 

@@ -47,9 +47,9 @@ namespace springfit
   {
     ElasticConstants constants;
     LameConstants lame;
-    double thickness; // m in 2-d, 1 in 3-d
+    double thickness; // m of cells of dimension 2, 1 of others
 
-    /** Has a meaning in 2-d only. */
+    /** Has a meaning for cells of dimension 2 only. */
     PlaneState plane_state = PlaneState::stress;
   };
 
@@ -58,7 +58,7 @@ namespace springfit
 
 
   /** The section "Material". */
-  template <int dim>
+  template <int spacedim>
   class Material : public dealii::ParameterAcceptor
   {
   public:
@@ -68,15 +68,18 @@ namespace springfit
      * The materials of @p mesh.
      *
      * @throws EntryError when a material id of the mesh is not given, or one
-     * is given that the mesh does not have.
+     * is given that the mesh does not have; or when a surface in space shall
+     * be in plane strain.
      */
+    template <int dim>
     MaterialTable
-    resolve(const Mesh<dim> &mesh) const;
+    resolve(const Mesh<dim, spacedim> &mesh) const;
 
     /**
      * Any linear isotropic material in the plane state and with the thickness
-     * of this section.
+     * of this section, in cells of dimension @p dim.
      */
+    template <int dim = spacedim>
     CellMaterial
     with_constants(const ElasticConstants &constants) const;
 
@@ -119,9 +122,10 @@ namespace springfit
     static Constant
     parse(const std::string &entry, const std::string &text);
 
+    template <int dim>
     static double
     value(const Constant &constant,
-          const Mesh<dim> &mesh,
+          const Mesh<dim, spacedim> &mesh,
           dealii::types::material_id id);
   };
 } // namespace springfit

@@ -10,10 +10,10 @@
 namespace springfit
 {
   /** The lumped masses of all nodes, kg: the sums of CellMatrices::masses. */
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::VectorXd
-  nodal_masses(const Mesh<dim> &mesh,
-               const Element<dim> &element,
+  nodal_masses(const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                const MaterialTable &materials);
 } // namespace springfit
 

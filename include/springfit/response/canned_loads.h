@@ -14,11 +14,11 @@ namespace springfit
    * direction most perpendicular to it (shear); for torsion the axis times the
    * distance vector from the surface's centroid, divided by its radius.
    */
-  template <int dim>
-  typename LoadedSurface<dim>::Traction
+  template <int dim, int spacedim>
+  typename LoadedSurface<dim, spacedim>::Traction
   unit_traction(Load load,
-                const dealii::Tensor<1, dim> &axis,
-                const LoadedSurface<dim> &surface);
+                const dealii::Tensor<1, spacedim> &axis,
+                const LoadedSurface<dim, spacedim> &surface);
 } // namespace springfit
 
 #endif

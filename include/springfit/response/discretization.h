@@ -4,7 +4,7 @@
 #include <springfit/mesh/mesh.h>
 
 #include <deal.II/base/index_set.h>
-#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/base/point.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
@@ -20,7 +20,8 @@ namespace springfit
 {
   /**
    * The unknowns that both models share: dim displacements at every node of
-   * the mesh, held where there are supports, divided among the ranks.
+   * a mesh in space of dimension dim, held where there are supports, divided
+   * among the ranks.
    */
   template <int dim>
   class Discretization
@@ -31,14 +32,15 @@ namespace springfit
 
     /**
      * @p held has a flag per unknown, dim * v + d for component d of node v.
-     * @p mesh must outlive the object.
      */
-    Discretization(const Mesh<dim> &mesh,
+    template <int dim_of_cells>
+    Discretization(const Mesh<dim_of_cells, dim> &mesh,
                    const std::vector<bool> &held,
                    MPI_Comm communicator);
 
-    const Mesh<dim> &
-    mesh() const;
+    /** The places of the nodes at rest. */
+    const std::vector<dealii::Point<dim>> &
+    nodes() const;
 
     /** The degree of freedom of component @p d of node @p v. */
     dealii::types::global_dof_index
@@ -77,10 +79,9 @@ namespace springfit
     to_nodal(const Vector &vector) const;
 
   private:
-    const Mesh<dim> &mesh_;
+    const std::vector<dealii::Point<dim>> nodes_;
     const std::vector<bool> held_;
     const MPI_Comm communicator_;
-    dealii::DoFHandler<dim> dof_handler_;
     std::vector<dealii::types::global_dof_index> dofs_; // dim * v + d
     dealii::IndexSet locally_owned_;
     dealii::AffineConstraints<double> constraints_;

@@ -18,20 +18,20 @@
 namespace springfit
 {
   /** The finite elements of a mesh as a body. */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   class FiniteElementBody : public BodyOfMembers
   {
   public:
-    using Cell = typename CellEnergy<dim>::Cell;
+    using Cell = typename CellEnergy<dim, spacedim>::Cell;
 
     /** @p mesh and @p element must outlive the object. */
-    FiniteElementBody(const Mesh<dim> &mesh,
-                      const Element<dim> &element,
+    FiniteElementBody(const Mesh<dim, spacedim> &mesh,
+                      const Element<dim, spacedim> &element,
                       const MaterialTable &materials,
                       MaterialLaw law);
 
     FiniteElementBody(std::vector<Cell> cells,
-                      const Element<dim> &element,
+                      const Element<dim, spacedim> &element,
                       const MaterialTable &materials,
                       MaterialLaw law);
 
@@ -74,23 +74,23 @@ namespace springfit
     for_each_term(const Eigen::MatrixXd &displacement, const F &f) const;
 
     const std::vector<Cell> cells_;
-    const Element<dim> &element_;
+    const Element<dim, spacedim> &element_;
     const MaterialTable materials_;
     const MaterialLaw law_;
 
     // deal.II's values move from cell to cell.
-    mutable CellEnergy<dim> energy_;
+    mutable CellEnergy<dim, spacedim> energy_;
   };
 
 
   /**
-   * The number of cells that a displacement (m, dim x n_nodes) turns inside
-   * out: det F <= 0 at a quadrature point.
+   * The number of cells that a displacement (m, spacedim x n_nodes) turns
+   * inside out: det F <= 0 at a quadrature point.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   unsigned int
-  n_inverted_cells(const Mesh<dim> &mesh,
-                   const Element<dim> &element,
+  n_inverted_cells(const Mesh<dim, spacedim> &mesh,
+                   const Element<dim, spacedim> &element,
                    const Eigen::MatrixXd &displacement);
 } // namespace springfit
 

@@ -14,31 +14,32 @@
 namespace springfit
 {
   /** The part of a mesh's boundary on which a traction acts. */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   class LoadedSurface
   {
   public:
     struct Face
     {
-      typename dealii::Triangulation<dim>::active_cell_iterator cell;
+      typename dealii::Triangulation<dim, spacedim>::active_cell_iterator cell;
       unsigned int number;
     };
 
     /** Traction in Pa at a point. */
-    using Traction =
-      std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)>;
+    using Traction = std::function<dealii::Tensor<1, spacedim>(
+      const dealii::Point<spacedim> &)>;
 
-    LoadedSurface(std::vector<Face> faces, const Element<dim> &element);
+    LoadedSurface(std::vector<Face> faces,
+                  const Element<dim, spacedim> &element);
 
     /** m^2, or m in 2-d. */
     double
     area() const;
 
-    dealii::Point<dim>
+    dealii::Point<spacedim>
     centroid() const;
 
     /** The integral of the outward normal divided by the area. */
-    dealii::Tensor<1, dim>
+    dealii::Tensor<1, spacedim>
     mean_normal() const;
 
     /** Largest distance of a vertex from the centroid, m. */
@@ -51,7 +52,7 @@ namespace springfit
 
     /**
      * The nodal forces of a traction, the traction at node a times its share,
-     * in N (N/m in 2-d: not yet multiplied by a thickness), dim x
+     * in N (N/m in 2-d: not yet multiplied by a thickness), spacedim x
      * n_nodes. They are the consistent forces where the traction is uniform;
      * where it varies, its product with N_a is integrated by the nodal rule
      * that gives the lumped masses too.
@@ -61,10 +62,10 @@ namespace springfit
 
   private:
     const std::vector<Face> faces_;
-    const Element<dim> &element_;
+    const Element<dim, spacedim> &element_;
     double area_ = 0.;
-    dealii::Point<dim> centroid_;
-    dealii::Tensor<1, dim> mean_normal_;
+    dealii::Point<spacedim> centroid_;
+    dealii::Tensor<1, spacedim> mean_normal_;
   };
 } // namespace springfit
 

@@ -15,7 +15,7 @@
 namespace springfit
 {
   /** The section "Loads": what is held, what acts on it, and how. */
-  template <int dim>
+  template <int spacedim>
   class Loads : public dealii::ParameterAcceptor
   {
   public:
@@ -34,9 +34,10 @@ namespace springfit
      * @throws EntryError when a boundary or region is empty or unknown, when
      * or when every loaded node is fixed.
      */
+    template <int dim>
     Loading
-    resolve(const Mesh<dim> &mesh,
-            const Element<dim> &element,
+    resolve(const Mesh<dim, spacedim> &mesh,
+            const Element<dim, spacedim> &element,
             const MaterialTable &materials) const;
 
     /**
@@ -45,8 +46,10 @@ namespace springfit
      * @throws EntryError when the supports leave a rigid motion free, with the
      * motion named.
      */
+    template <int dim>
     void
-    check_supports(const Mesh<dim> &mesh, const Loading &loading) const;
+    check_supports(const Mesh<dim, spacedim> &mesh,
+                   const Loading &loading) const;
 
     /**
      * Check the values that can be judged without a mesh; for the studies that
@@ -74,7 +77,7 @@ namespace springfit
     void
     complete();
 
-    OwnLoads<dim>
+    OwnLoads<spacedim>
     own_loads() const;
 
     /** The names of all cases of an entry. */
@@ -89,16 +92,18 @@ namespace springfit
     has_canned_cases() const;
 
     /** The nodes of 'Fixed boundaries' or of the region; none of both. */
+    template <int dim>
     std::vector<bool>
-    fixed_nodes(const Mesh<dim> &mesh) const;
+    fixed_nodes(const Mesh<dim, spacedim> &mesh) const;
 
     std::string
     entry_of_supports() const;
 
     /** Fill in the canned cases and their pull. */
+    template <int dim>
     void
-    add_canned(const Mesh<dim> &mesh,
-               const Element<dim> &element,
+    add_canned(const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                double thickness,
                Loading &loading) const;
 

@@ -25,7 +25,7 @@ namespace springfit
 
 
   /** Loads in physical units, as a user describes them without a mesh. */
-  template <int dim>
+  template <int spacedim>
   class OwnLoads
   {
   public:
@@ -48,8 +48,9 @@ namespace springfit
      *
      * @throws EntryError when a place has no nodes.
      */
+    template <int dim>
     std::vector<Support>
-    supports(const Mesh<dim> &mesh) const;
+    supports(const Mesh<dim, spacedim> &mesh) const;
 
     /**
      * What acts in a case, be it one of none of these loads but those without
@@ -58,17 +59,18 @@ namespace springfit
      *
      * @throws EntryError when a place is empty.
      */
+    template <int dim>
     std::function<NodalLoad(double time)>
     load(const std::string &load_case,
-         const Mesh<dim> &mesh,
-         const Element<dim> &element,
+         const Mesh<dim, spacedim> &mesh,
+         const Element<dim, spacedim> &element,
          const MaterialTable &materials) const;
 
   private:
-    std::vector<SupportStatement<dim>> supports_;
-    std::vector<ForceStatement<dim>> forces_;
-    std::vector<ForceStatement<dim>> tractions_;
-    std::vector<ForceStatement<dim>> gravity_;
+    std::vector<SupportStatement<spacedim>> supports_;
+    std::vector<ForceStatement<spacedim>> forces_;
+    std::vector<ForceStatement<spacedim>> tractions_;
+    std::vector<ForceStatement<spacedim>> gravity_;
   };
 } // namespace springfit
 

@@ -14,14 +14,14 @@
 namespace springfit
 {
   /** Components of the nodes at a place that are held, or moved. */
-  template <int dim>
+  template <int spacedim>
   struct SupportStatement
   {
     std::string load_case; // in which it moves; empty: in all own ones
     std::string place;
 
     /** The displacement of a component, m; none: it is free. */
-    std::array<std::optional<Expression<dim>>, dim> components;
+    std::array<std::optional<Expression<spacedim>>, spacedim> components;
   };
 
   /**
@@ -31,8 +31,8 @@ namespace springfit
    *
    * @throws EntryError when it cannot be understood.
    */
-  template <int dim>
-  std::vector<SupportStatement<dim>>
+  template <int spacedim>
+  std::vector<SupportStatement<spacedim>>
   parse_supports(const std::string &text, const std::string &entry);
 
   /**
@@ -40,31 +40,32 @@ namespace springfit
    *
    * @throws EntryError when there are none, or a boundary is unknown.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<bool>
-  nodes_of(const SupportStatement<dim> &statement,
-           const Mesh<dim> &mesh,
+  nodes_of(const SupportStatement<spacedim> &statement,
+           const Mesh<dim, spacedim> &mesh,
            const std::string &entry);
 
 
   /** A statement on a mesh. */
-  template <int dim>
+  template <int spacedim>
   struct PlacedSupport
   {
     std::vector<bool> nodes; // a flag per node
-    SupportStatement<dim> statement;
+    SupportStatement<spacedim> statement;
   };
 
   /**
-   * The displacements at a time, m, dim x n_nodes; 0 where nothing is said.
+   * The displacements at a time, m, spacedim x n_nodes; 0 where nothing is
+   * said.
    *
    * @throws EntryError when two statements move a component of a node to
    * different places, or an expression has no finite value.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   Eigen::MatrixXd
-  displacement_at(const std::vector<PlacedSupport<dim>> &supports,
-                  const Mesh<dim> &mesh,
+  displacement_at(const std::vector<PlacedSupport<spacedim>> &supports,
+                  const Mesh<dim, spacedim> &mesh,
                   double time,
                   const std::string &entry);
 } // namespace springfit

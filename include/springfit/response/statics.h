@@ -2,6 +2,7 @@
 #define springfit_response_statics_h
 
 #include <springfit/core/words.h>
+#include <springfit/mesh/mesh.h>
 #include <springfit/reference/element.h>
 #include <springfit/reference/material.h>
 #include <springfit/reference/material_law.h>
@@ -40,7 +41,7 @@ namespace springfit
    * The section "Response": statics of both models on the same unknowns. What
    * is given to make a model must outlive it.
    */
-  template <int dim>
+  template <int spacedim>
   class Statics : public dealii::ParameterAcceptor
   {
   public:
@@ -54,21 +55,27 @@ namespace springfit
     material_law() const;
 
     /** The finite elements with the material law asked for. */
+    template <int dim>
     std::unique_ptr<Model>
-    finite_elements(const Discretization<dim> &discretization,
-                    const Element<dim> &element,
+    finite_elements(const Discretization<spacedim> &discretization,
+                    const Mesh<dim, spacedim> &mesh,
+                    const Element<dim, spacedim> &element,
                     const MaterialTable &materials) const;
 
     /** The finite elements at small deformations, which scale the loads. */
+    template <int dim>
     std::unique_ptr<Model>
-    linear_finite_elements(const Discretization<dim> &discretization,
-                           const Element<dim> &element,
+    linear_finite_elements(const Discretization<spacedim> &discretization,
+                           const Mesh<dim, spacedim> &mesh,
+                           const Element<dim, spacedim> &element,
                            const MaterialTable &materials) const;
 
     /** @p name is the fit's, for errors. */
+    template <int dim>
     std::unique_ptr<Model>
-    springs(const Discretization<dim> &discretization,
-            const Element<dim> &element,
+    springs(const Discretization<spacedim> &discretization,
+            const Mesh<dim, spacedim> &mesh,
+            const Element<dim, spacedim> &element,
             const SpringNetwork &network,
             const std::string &name,
             Kinematics kinematics) const;
@@ -86,8 +93,8 @@ namespace springfit
      * Makes the solver for a matrix, as asked for or by its size: by default
      * conjugate gradients from @p smallest_cg unknowns on.
      */
-    SolverFactory<dim>
-    solver_factory(const Discretization<dim> &discretization,
+    SolverFactory<spacedim>
+    solver_factory(const Discretization<spacedim> &discretization,
                    unsigned int smallest_cg) const;
 
     std::string kinematics_words_ = "linear";

@@ -15,14 +15,14 @@ namespace springfit
    * meet in fewer nodes they are hinged. A part is held by its own supports and
    * by the nodes that it shares with parts that are held already.
    *
-   * @p held has a flag per unknown, dim * v + d for component d of node v;
+   * @p held has a flag per unknown, spacedim * v + d for component d of node v;
    * @p entry names the parameter in the error.
    *
    * @throws EntryError naming the motion that is left.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  check_supports(const Mesh<dim> &mesh,
+  check_supports(const Mesh<dim, spacedim> &mesh,
                  const std::vector<bool> &held,
                  const std::string &entry);
 } // namespace springfit

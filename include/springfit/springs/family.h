@@ -222,6 +222,10 @@ namespace springfit
   Family
   selected(const Family &family, const std::vector<std::size_t> &members);
 
+  /** The members of a copy that is @p scale times as large. */
+  Family
+  scaled(Family family, double scale);
+
   bool
   all_finite(const Family &family);
 } // namespace springfit

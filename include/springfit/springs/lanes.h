@@ -2,6 +2,7 @@
 #define springfit_springs_lanes_h
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace springfit
@@ -39,6 +40,22 @@ namespace springfit
   set_lane(Lanes &values, const std::size_t l, const double number)
   {
     values[l] = number;
+  }
+
+
+  inline double
+  square_root(const double value)
+  {
+    return std::sqrt(value);
+  }
+
+  inline Lanes
+  square_root(const Lanes &values)
+  {
+    Lanes roots;
+    for (std::size_t l = 0; l < n_lanes; ++l)
+      roots[l] = std::sqrt(values[l]);
+    return roots;
   }
 
 

@@ -87,6 +87,15 @@ namespace springfit
   bool
   are_under_tension(const Families &families);
 
+  /**
+   * The members all of whose nodes belong to one of @p cells, each given by its
+   * nodes: what is left where the others are taken out. A spring between a cell
+   * that is left and one that is not keeps the stiffness of both.
+   */
+  Families
+  within(const Families &families,
+         const std::vector<std::vector<unsigned int>> &cells);
+
   /** Whether there are springs between two nodes and nothing else. */
   bool
   has_springs_alone(const Families &families);
@@ -122,12 +131,9 @@ namespace springfit
     /**
      * @param family of a cell, whose nodes are positions in @p nodes
      * @param nodes of the cell
-     * @param scale the size of the cell relative to that of the family's one
      */
     void
-    add(const Family &family,
-        const std::vector<unsigned int> &nodes,
-        double scale = 1.);
+    add(const Family &family, const std::vector<unsigned int> &nodes);
 
     /** @param masses one per node, kg */
     void

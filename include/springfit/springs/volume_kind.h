@@ -58,7 +58,7 @@ namespace springfit
     explicit VolumeKind(const std::string &word)
       : Base(Law::prefix() + word,
              vertex_names(kind),
-             Law::columns(dim, n_volumes))
+             Law::columns(dimension(kind), n_volumes))
     {}
 
     bool

@@ -11,13 +11,13 @@
 namespace springfit
 {
   /** What every study starts from: a mesh, its materials and its springs. */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   struct CalibratedScene
   {
-    std::unique_ptr<Mesh<dim>> mesh;
-    Element<dim> element;
+    std::unique_ptr<Mesh<dim, spacedim>> mesh;
+    Element<dim, spacedim> element;
     MaterialTable materials;
-    double volume; // m^3, in 2-d with the thickness
+    double volume; // m^3, of cells of dimension 2 with the thickness
     std::vector<CalibratedNetwork> networks;
   };
 
@@ -25,9 +25,9 @@ namespace springfit
    * Make the mesh and say what it is, before anything takes time.
    * The networks are still to come.
    */
-  template <int dim>
-  CalibratedScene<dim>
-  make_scene(const Scene<dim> &scene, Session &session);
+  template <int dim, int spacedim>
+  CalibratedScene<dim, spacedim>
+  make_scene(const Scene<spacedim> &scene, Session &session);
 
   /**
    * Fit the springs, say what the fits reached and what the springs can and
@@ -36,13 +36,13 @@ namespace springfit
    * volumes_<fit>.csv.
    *
    * @param responses displacements of the linear finite elements under the
-   * scene's loads, one per column, row dim * v + d for component d of vertex v;
-   * empty where nothing is loaded
+   * scene's loads, one per column, row spacedim * v + d for component d of
+   * vertex v; empty where nothing is loaded
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  calibrate_scene(const Scene<dim> &scene,
-                  CalibratedScene<dim> &calibrated,
+  calibrate_scene(const Scene<spacedim> &scene,
+                  CalibratedScene<dim, spacedim> &calibrated,
                   const Eigen::MatrixXd &responses,
                   Session &session);
 } // namespace springfit

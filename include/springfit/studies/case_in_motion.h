@@ -36,7 +36,7 @@ namespace springfit
 
 
   /** All models under one load case, step by step beside each other. */
-  template <int dim>
+  template <int dim, int spacedim = dim>
   class CaseInMotion
   {
   public:
@@ -46,8 +46,8 @@ namespace springfit
      * @throws EntryError when something is wrong at the beginning, or the step
      * is beyond the stability limit of symplectic Euler's method.
      */
-    CaseInMotion(const Scene<dim> &scene,
-                 const CalibratedScene<dim> &calibrated,
+    CaseInMotion(const Scene<spacedim> &scene,
+                 const CalibratedScene<dim, spacedim> &calibrated,
                  const Loading &loading,
                  const LoadCase &load_case,
                  Session &session);
@@ -100,6 +100,14 @@ namespace springfit
     void
     check_step(MovingModel &model, double step) const;
 
+    /** Whether an opening is due before the step after @p n_done ones. */
+    bool
+    opens(std::uint64_t n_done) const;
+
+    /** Take out the cells of the next opening. */
+    void
+    open();
+
     void
     step();
 
@@ -116,13 +124,15 @@ namespace springfit
     void
     show();
 
-    const DynamicsSettings<dim> settings_;
-    const Mesh<dim> &mesh_;
-    const std::vector<CalibratedNetwork> &networks_;
+    const Scene<spacedim> &scene_;
+    const CalibratedScene<dim, spacedim> &calibrated_;
+    const DynamicsSettings<spacedim> settings_;
     const std::string name_;
     Session &session_;
     Excitation excitation_;
-    const std::vector<std::unique_ptr<MovingModel>> models_;
+    Remains remains_;
+    std::size_t n_opened_ = 0;
+    std::vector<std::unique_ptr<MovingModel>> models_;
     const Observations observations_;
     const TimeGrid grid_;
     std::vector<std::unique_ptr<MotionRecord>> records_;

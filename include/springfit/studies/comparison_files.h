@@ -23,17 +23,17 @@ namespace springfit
    * <case>_<fit>.vtu, springs_<fit>.vtu and a series of the cases for each
    * model. What did not reach the whole load is called *_incomplete.vtu.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
   write_pictures(const std::filesystem::path &folder,
-                 const CalibratedScene<dim> &calibrated,
+                 const CalibratedScene<dim, spacedim> &calibrated,
                  const std::vector<CaseResult> &results);
 
   /** <case>_fem.csv and <case>_<fit>.csv, where the whole load is borne. */
-  template <int dim>
+  template <int dim, int spacedim>
   void
   write_responses(const std::filesystem::path &folder,
-                  const CalibratedScene<dim> &calibrated,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const Loading &loading,
                   const std::vector<CaseResult> &results);
 } // namespace springfit

@@ -8,6 +8,7 @@
 #include <springfit/reference/element.h>
 #include <springfit/response/load_case.h>
 #include <springfit/studies/moving_model.h>
+#include <springfit/studies/openings.h>
 
 #include <Eigen/Core>
 
@@ -32,11 +33,11 @@ namespace springfit
   };
 
   /** @throws EntryError when a boundary is unknown or has no faces. */
-  template <int dim>
+  template <int dim, int spacedim>
   Observations
-  observations(const DynamicsSettings<dim> &settings,
-               const Mesh<dim> &mesh,
-               const Element<dim> &element,
+  observations(const DynamicsSettings<spacedim> &settings,
+               const Mesh<dim, spacedim> &mesh,
+               const Element<dim, spacedim> &element,
                const Loading &loading,
                const std::vector<Obstacle> &obstacles);
 
@@ -66,9 +67,11 @@ namespace springfit
     void
     add_row(const MovingModel &model, const Excitation &excitation);
 
-    template <int dim>
+    template <int dim, int spacedim>
     void
-    add_frame(const MovingModel &model, const Mesh<dim> &mesh);
+    add_frame(const MovingModel &model,
+              const Mesh<dim, spacedim> &mesh,
+              const Remains &remains);
 
   private:
     const std::filesystem::path folder_;

@@ -26,7 +26,17 @@ namespace springfit
     std::vector<bool> held; // a flag per unknown
     std::function<NodalLoad(double time)> load;
     std::vector<Obstacle> obstacles;
+
+    /** A flag per node: no cell has it, and no obstacle touches it. */
+    std::vector<bool> lost_nodes;
   };
+
+  /**
+   * Where obstacles look for the nodes, m: those that are lost are infinitely
+   * far away.
+   */
+  Eigen::MatrixXd
+  places(const Excitation &excitation, const Eigen::MatrixXd &displacement);
 
 
   /** A model in motion. It refers to itself and stays where it is. */
@@ -75,6 +85,16 @@ namespace springfit
         double interval,
         const Excitation &excitation,
         MovingModel &model);
+
+  /**
+   * Let a model that has just been started go on where an earlier one of the
+   * same nodes ends. Nodes that are lost are put to rest; the energy that is
+   * lost with them, and with what held them, is dissipated.
+   */
+  void
+  go_on_from(const MovingModel &earlier,
+             const Excitation &excitation,
+             MovingModel &model);
 
   /** Those in the state that a model is in, with its acceleration. */
   void

@@ -5,6 +5,7 @@
 #include <springfit/response/load_case.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/moving_model.h>
+#include <springfit/studies/openings.h>
 #include <springfit/studies/scene.h>
 
 #include <memory>
@@ -18,13 +19,13 @@ namespace springfit
    *
    * @throws EntryError when something is wrong at the beginning.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   Excitation
-  make_excitation(const Scene<dim> &scene,
-                  const CalibratedScene<dim> &calibrated,
+  make_excitation(const Scene<spacedim> &scene,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const Loading &loading,
                   const LoadCase &load_case,
-                  const DynamicsSettings<dim> &settings);
+                  const DynamicsSettings<spacedim> &settings);
 
   /**
    * What the settings make of canned cases over time.
@@ -39,13 +40,16 @@ namespace springfit
    * All models that move: the finite elements first, where they are wanted,
    * then each network with each kinematics. Obstacles without a stiffness are
    * given one, of the first model. @p excitation must outlive them.
+   *
+   * @param remains what is left of the mesh
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<std::unique_ptr<MovingModel>>
-  make_moving_models(const Scene<dim> &scene,
-                     const CalibratedScene<dim> &calibrated,
-                     const DynamicsSettings<dim> &settings,
-                     Excitation &excitation);
+  make_moving_models(const Scene<spacedim> &scene,
+                     const CalibratedScene<dim, spacedim> &calibrated,
+                     const DynamicsSettings<spacedim> &settings,
+                     Excitation &excitation,
+                     const Remains &remains);
 } // namespace springfit
 
 #endif

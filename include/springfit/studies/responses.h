@@ -30,7 +30,7 @@ namespace springfit
   {
     LoadCase load_case;
 
-    /** Of the linear finite elements, dim x n_nodes, m. */
+    /** Of the linear finite elements, spacedim x n_nodes, m. */
     Eigen::MatrixXd linear_displacement;
 
     Equilibrium reference;
@@ -49,10 +49,10 @@ namespace springfit
    * under it. The networks of @p calibrated are not used. What does not reach
    * the whole load is warned of.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   std::vector<CaseResult>
-  find_references(const Scene<dim> &scene,
-                  const CalibratedScene<dim> &calibrated,
+  find_references(const Scene<spacedim> &scene,
+                  const CalibratedScene<dim, spacedim> &calibrated,
                   const Loading &loading,
                   Session &session);
 
@@ -61,18 +61,18 @@ namespace springfit
    *
    * @throws EntryError when a load moves nothing.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  scale_canned_cases(const Scene<dim> &scene,
-                     const CalibratedScene<dim> &calibrated,
+  scale_canned_cases(const Scene<spacedim> &scene,
+                     const CalibratedScene<dim, spacedim> &calibrated,
                      Session &session,
                      Loading &loading);
 
   /** Then that of all networks. */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  find_responses(const Scene<dim> &scene,
-                 const CalibratedScene<dim> &calibrated,
+  find_responses(const Scene<spacedim> &scene,
+                 const CalibratedScene<dim, spacedim> &calibrated,
                  const Loading &loading,
                  std::vector<CaseResult> &results,
                  Session &session);

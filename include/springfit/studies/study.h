@@ -34,26 +34,28 @@ namespace springfit
   void
   run_study(StudyKind study, const Scene<dim> &scene, Session &session);
 
+  // Of cells of dimension dim, as Geometry::dimension_of_cells() says.
+
   /** Springs for a mesh: constants, masses and what the fits reached. */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  calibrate(const Scene<dim> &scene, Session &session);
+  calibrate(const Scene<spacedim> &scene, Session &session);
 
   /**
    * The springs and the finite elements under the same loads, and how far
    * apart they are.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  compare(const Scene<dim> &scene, Session &session);
+  compare(const Scene<spacedim> &scene, Session &session);
 
   /**
    * The springs and the finite elements in motion under the same loads, beside
    * each other, with tables and series that grow while it runs.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  dynamics(const Scene<dim> &scene, Session &session);
+  dynamics(const Scene<spacedim> &scene, Session &session);
 
   /**
    * What a single cell delivers in a tensile test, over the material's
