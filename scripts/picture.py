@@ -107,19 +107,23 @@ def write_frames(series, folder):
     for time in times:
         warped.UpdatePipeline(time)
         boxes.append(warped.GetDataInformation().GetBounds())
-        vectors = data.PointData["displacement"]
-        largest = max(largest, vectors.GetRange(-1)[1])
+        largest = max(largest, warped.PointData["displacement"].GetRange(-1)[1])
+    box = [low_or_high(box[i] for box in boxes)
+           for i, low_or_high in enumerate((min, max) * 3)]
 
     view = white(CreateRenderView())
     view.ViewSize = [720, 560]
     view.ViewTime = times[0]
     coloured(warped, "displacement", "displacement, m", view, "Surface With Edges",
              [0, largest])
-    look_from_the_front(view)
-    around_all = [low_or_high(box[i] for box in boxes)
-                  for i, low_or_high in enumerate((min, max) * 3)]
-    view.ResetCamera(*around_all) if hasattr(view, "ResetCamera") else ResetCamera(view)
-    view.GetActiveCamera().Zoom(0.9)
+    middle = [(low + high) / 2 for low, high in zip(box[::2], box[1::2])]
+    size = sum((high - low) ** 2 for low, high in zip(box[::2], box[1::2])) ** 0.5
+    view.CameraParallelProjection = 1
+    middle[2] -= 0.08 * size  # room for the bar
+    view.CameraFocalPoint = middle
+    view.CameraPosition = [x + size * d for x, d in zip(middle, (2.4, -2.2, 1.5))]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraParallelScale = 0.45 * size
     for number, time in enumerate(times):
         view.ViewTime = time
         Render(view)

@@ -222,7 +222,9 @@ namespace springfit
                                  session);
         };
         FittedNetwork fitted = fit_network();
-        warn_of_mechanisms(fitted, name, session);
+        // What surfaces do not resist is none of their springs' fault.
+        if (dim == spacedim)
+          warn_of_mechanisms(fitted, name, session);
         if (has(*row.method, Feature::finite_element) && !is_explained)
           is_explained = explain_negative_springs(fitted.network, session);
         networks.push_back({std::move(fitted),

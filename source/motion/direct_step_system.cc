@@ -1,5 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/motion/direct_step_system.h>
+#include <springfit/motion/step_matrix.h>
 
 namespace springfit
 {
@@ -113,13 +114,7 @@ namespace springfit
       matrix += factors.load_stiffness * load_stiffness_.matrix();
     if (are_there(body_.dampers))
       matrix += factors.dampers * dampers_.matrix();
-    // Held unknowns keep their row and column, of a one.
-    for (int column = 0; column < matrix.outerSize(); ++column)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column);
-           entry;
-           ++entry)
-        if (body_.held[entry.row()] || body_.held[entry.col()])
-          entry.valueRef() = entry.row() == entry.col() ? 1. : 0.;
+    put_ones_where_held(body_, matrix);
     factors_.factorize(matrix);
     if (factors_.info() != Eigen::Success)
       throw RunError("The matrix of a step is singular.",

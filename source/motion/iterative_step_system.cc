@@ -1,5 +1,6 @@
 #include <springfit/motion/iterative_step_system.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -13,6 +14,9 @@ namespace springfit
     // Of iterations, as many times those with a new preconditioner and some
     // more: to build one takes as long as many iterations.
     constexpr double outworn_factor = 2., outworn_more = 10.;
+
+    // What is pressed stays so for a while.
+    constexpr unsigned int n_linearisations_with_substitute = 20;
 
     std::vector<Eigen::Index>
     held_unknowns(const MovingBody &body)
@@ -37,12 +41,15 @@ namespace springfit
     const int dim,
     const MovingBody &body,
     std::unique_ptr<StepPreconditioner> preconditioner,
-    const double tolerance)
+    const double tolerance,
+    std::unique_ptr<TangentOperator> substitute)
     : dim_(dim)
     , body_(body)
     , preconditioner_(std::move(preconditioner))
     , tolerance_(tolerance)
     , tangent_(body.elastic->tangent_operator())
+    , substitute_(std::move(substitute))
+    , stiffness_(tangent_.get())
     , held_(held_unknowns(body))
   {}
 
@@ -50,7 +57,10 @@ namespace springfit
   void
   IterativeStepSystem::linearise(const MotionState &state)
   {
-    tangent_->linearise(state.displacement);
+    stiffness_ = n_substituted_ > 0 ? substitute_.get() : tangent_.get();
+    if (n_substituted_ > 0)
+      --n_substituted_;
+    stiffness_->linearise(state.displacement);
     state_ = state;
     if (body_.load_stiffness)
       {
@@ -64,7 +74,7 @@ namespace springfit
   IterativeStepSystem::stiffness_product(const Eigen::MatrixXd &u) const
   {
     Eigen::MatrixXd product = Eigen::MatrixXd::Zero(u.rows(), u.cols());
-    tangent_->add_product(u, product);
+    stiffness_->add_product(u, product);
     return product;
   }
 
@@ -74,7 +84,7 @@ namespace springfit
                                 Eigen::MatrixXd &product) const
   {
     product.setZero(u.rows(), u.cols());
-    tangent_->add_product(u, product);
+    stiffness_->add_product(u, product);
     if (body_.consistent_mass.nonZeros() > 0)
       product =
         factors_.stiffness * product + factors_.mass * mass_product(body_, u);
@@ -102,16 +112,17 @@ namespace springfit
     if (is_another)
       {
         solutions_.clear();
-        preconditioner_->build(Eigen::MatrixXd::Zero(dim_, body_.mass.size()),
-                               factors.mass,
-                               factors.stiffness);
+        build_preconditioner(Eigen::MatrixXd::Zero(dim_, body_.mass.size()));
       }
     else if (is_outworn_)
-      preconditioner_->build(state_.displacement,
-                             factors.mass,
-                             factors.stiffness);
-    else
-      return;
+      build_preconditioner(state_.displacement);
+  }
+
+
+  void
+  IterativeStepSystem::build_preconditioner(const Eigen::MatrixXd &displacement)
+  {
+    preconditioner_->build(displacement, factors_.mass, factors_.stiffness);
     first_effort_ = 0.;
     is_outworn_   = false;
   }
@@ -164,16 +175,22 @@ namespace springfit
   }
 
 
-  Eigen::MatrixXd
-  IterativeStepSystem::solve(const StepFactors &factors,
-                             const Eigen::MatrixXd &forces)
+  unsigned int
+  IterativeStepSystem::n_iterations_to_try() const
   {
-    prepare(factors);
+    if (first_effort_ == 0.)
+      return most_iterations;
+    const double expected = -std::log10(tolerance_) * first_effort_;
+    return std::min<double>(most_iterations,
+                            2. * (outworn_factor * expected + outworn_more));
+  }
+
+
+  std::optional<Eigen::MatrixXd>
+  IterativeStepSystem::solve_iteratively(const Eigen::MatrixXd &forces)
+  {
     Eigen::MatrixXd residual = forces;
-    set_zero(held_, residual);
-    const double norm = residual.norm();
-    if (!std::isfinite(norm))
-      return residual; // what it leads to is for the caller to refuse
+    const double norm        = residual.norm();
     Eigen::MatrixXd solution = guess(residual);
     const ConjugateGradients result =
       conjugate_gradients([&](const auto &u,
@@ -183,17 +200,45 @@ namespace springfit
                             set_zero(held_, z);
                           },
                           tolerance_ * norm,
-                          most_iterations,
+                          n_iterations_to_try(),
                           solution,
                           residual);
     n_iterations_.push_back(result.n_iterations);
     judge(result);
     if (!result.has_converged)
+      return {};
+    return solution;
+  }
+
+
+  Eigen::MatrixXd
+  IterativeStepSystem::solve(const StepFactors &factors,
+                             const Eigen::MatrixXd &forces)
+  {
+    prepare(factors);
+    Eigen::MatrixXd free_forces = forces;
+    set_zero(held_, free_forces);
+    if (!std::isfinite(free_forces.norm()))
+      return free_forces; // what it leads to is for the caller to refuse
+    auto solution = solve_iteratively(free_forces);
+    if (!solution && substitute_ && stiffness_ != substitute_.get())
+      {
+        n_substituted_ = n_linearisations_with_substitute;
+        stiffness_     = substitute_.get();
+        stiffness_->linearise(state_.displacement);
+        solution = solve_iteratively(free_forces);
+      }
+    if (!solution && first_effort_ > 0.)
+      {
+        build_preconditioner(state_.displacement);
+        solution = solve_iteratively(free_forces);
+      }
+    if (!solution)
       solution = solve_directly(forces);
-    solutions_.push_front(solution);
+    solutions_.push_front(*solution);
     if (solutions_.size() > 3)
       solutions_.pop_back();
-    return solution;
+    return *solution;
   }
 
 
@@ -202,8 +247,9 @@ namespace springfit
   {
     factors_ = {};
     solutions_.clear();
-    first_effort_ = 0.;
-    is_outworn_   = false;
+    first_effort_  = 0.;
+    is_outworn_    = false;
+    n_substituted_ = 0;
   }
 
 

@@ -15,11 +15,7 @@ namespace springfit
                const MovingBody &body,
                const Eigen::MatrixXd &displacement)
     {
-      NodePattern pattern(body.mass.size());
-      body.elastic->add_to_pattern(pattern);
-      for (unsigned int v = 0; v < body.mass.size(); ++v)
-        pattern.add_clique(&v, 1);
-      TangentMatrix tangent(dim, pattern);
+      TangentMatrix tangent = empty_step_matrix(dim, body);
       body.elastic->add_tangent(displacement, tangent);
       return tangent;
     }
@@ -60,6 +56,42 @@ namespace springfit
   } // namespace
 
 
+  TangentMatrix
+  empty_step_matrix(const int dim, const MovingBody &body)
+  {
+    NodePattern pattern(body.mass.size());
+    body.elastic->add_to_pattern(pattern);
+    for (unsigned int v = 0; v < body.mass.size(); ++v)
+      pattern.add_clique(&v, 1);
+    return TangentMatrix(dim, pattern);
+  }
+
+
+  void
+  put_ones_where_held(const MovingBody &body, Sparse &matrix)
+  {
+    for (int column = 0; column < matrix.outerSize(); ++column)
+      for (Sparse::InnerIterator entry(matrix, column); entry; ++entry)
+        if (body.held[entry.row()] || body.held[entry.col()])
+          entry.valueRef() = entry.row() == entry.col() ? 1. : 0.;
+  }
+
+
+  Sparse
+  step_matrix(const MovingBody &body,
+              const TangentMatrix &tangent,
+              const double mass_factor,
+              const double stiffness_factor)
+  {
+    Sparse matrix          = stiffness_factor * tangent.matrix();
+    const Eigen::Index dim = matrix.rows() / body.mass.size();
+    for (int column = 0; column < matrix.outerSize(); ++column)
+      matrix.coeffRef(column, column) += mass_factor * body.mass[column / dim];
+    put_ones_where_held(body, matrix);
+    return matrix;
+  }
+
+
   Sparse
   step_matrix(const int dim,
               const MovingBody &body,
@@ -67,18 +99,10 @@ namespace springfit
               const double mass_factor,
               const double stiffness_factor)
   {
-    Sparse matrix =
-      stiffness_factor * tangent_at(dim, body, displacement).matrix();
-    for (int column = 0; column < matrix.outerSize(); ++column)
-      for (Sparse::InnerIterator entry(matrix, column); entry; ++entry)
-        {
-          const bool is_diagonal = entry.row() == entry.col();
-          if (body.held[entry.row()] || body.held[entry.col()])
-            entry.valueRef() = is_diagonal ? 1. : 0.;
-          else if (is_diagonal)
-            entry.valueRef() += mass_factor * body.mass[column / dim];
-        }
-    return matrix;
+    return step_matrix(body,
+                       tangent_at(dim, body, displacement),
+                       mass_factor,
+                       stiffness_factor);
   }
 
 

@@ -41,40 +41,49 @@ namespace springfit
     {
     public:
       FactorPreconditioner(const int dim, const MovingBody &body)
-        : dim_(dim), body_(body)
-      {}
+        : body_(body), tangent_(empty_step_matrix(dim, body))
+      {
+        factors_.analyzePattern(tangent_.matrix());
+      }
 
       void
       build(const Eigen::MatrixXd &displacement,
             const double mass_factor,
             const double stiffness_factor) override
       {
-        auto factors           = std::make_unique<Factors>(step_matrix(
-          dim_, body_, displacement, mass_factor, stiffness_factor));
-        const bool is_positive = factors->info() == Eigen::Success &&
-                                 factors->vectorD().minCoeff() > 0.;
-        if (is_positive)
-          factors_ = std::move(factors);
+        const auto factorise = [&]() {
+          factors_.factorize(
+            step_matrix(body_, tangent_, mass_factor, stiffness_factor));
+          return factors_.info() == Eigen::Success &&
+                 factors_.vectorD().minCoeff() > 0.;
+        };
+        tangent_.set_zero();
+        body_.elastic->add_tangent(displacement, tangent_);
+        are_there_ = factorise();
+        if (are_there_)
+          return;
+        tangent_.set_zero();
+        body_.elastic->add_convex_tangent(displacement, tangent_);
+        are_there_ = factorise();
       }
 
       void
       apply(const Eigen::MatrixXd &forces, Eigen::MatrixXd &motion) override
       {
-        if (!factors_)
+        if (!are_there_)
           {
             motion = forces;
             return;
           }
-        const Eigen::VectorXd solution = factors_->solve(forces.reshaped());
+        const Eigen::VectorXd solution = factors_.solve(forces.reshaped());
         motion = solution.reshaped(forces.rows(), forces.cols());
       }
 
     private:
-      using Factors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
-
-      const int dim_;
       const MovingBody &body_;
-      std::unique_ptr<Factors> factors_; // none: the unit matrix
+      TangentMatrix tangent_;
+      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
+      bool are_there_ = false; // otherwise the unit matrix
     };
   } // namespace
 

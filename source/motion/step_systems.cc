@@ -1,10 +1,13 @@
+#include <springfit/motion/step_matrix.h>
 #include <springfit/motion/step_preconditioner.h>
 #include <springfit/motion/step_systems.h>
 #include <springfit/springs/tangent_matrix.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -15,6 +18,37 @@ namespace springfit
     // Up to this fill factors are as fast as a V cycle, whose iterations are
     // several times as many: tests/benchmarks/step_benchmark.cc has the times.
     constexpr double little_fill = 2.;
+
+    // Of the least and the largest resistance of a node: below it no single
+    // number stands for both, as of membranes, which hardly resist across
+    // themselves.
+    constexpr double isotropic = 0.05;
+
+    /** Of the median node at rest; 1: it resists alike in all directions. */
+    double
+    isotropy(const int dim, const MovingBody &body)
+    {
+      TangentMatrix tangent = empty_step_matrix(dim, body);
+      body.elastic->add_tangent(Eigen::MatrixXd::Zero(dim, body.mass.size()),
+                                tangent);
+      std::vector<double> ratios;
+      for (Eigen::Index v = 0; v < body.mass.size(); ++v)
+        {
+          const Eigen::MatrixXd block =
+            tangent.matrix().block(dim * v, dim * v, dim, dim);
+          const Eigen::VectorXd eigenvalues =
+            Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+              block, Eigen::EigenvaluesOnly)
+              .eigenvalues();
+          ratios.push_back(eigenvalues[dim - 1] > 0.
+                             ? eigenvalues[0] / eigenvalues[dim - 1]
+                             : 1.);
+        }
+      std::nth_element(ratios.begin(),
+                       ratios.begin() + ratios.size() / 2,
+                       ratios.end());
+      return ratios[ratios.size() / 2];
+    }
 
     /** The nodes that have entries in common, as a matrix of ones. */
     Eigen::SparseMatrix<double>
@@ -60,21 +94,32 @@ namespace springfit
   ChosenStepSystem
   make_step_system(const int dim,
                    const MovingBody &body,
-                   const double tolerance)
+                   const double tolerance,
+                   std::unique_ptr<TangentOperator> substitute)
   {
-    const double fill         = fill_of_factors(graph_of(body));
-    const bool is_for_factors = fill <= little_fill;
+    const double fill        = fill_of_factors(graph_of(body));
+    const double least       = isotropy(dim, body);
+    const bool is_isotropic  = least >= isotropic;
+    const bool wants_factors = fill <= little_fill || !is_isotropic;
     std::ostringstream reason;
     reason.precision(2);
     reason << "The equations of a step are solved by conjugate gradients with "
-           << (is_for_factors ? "factors of the matrix at rest"
-                              : "a multigrid method")
-           << ", because factors of the " << body.mass.size() << " nodes have "
-           << fill << " times the entries of the matrix.";
-    auto preconditioner = is_for_factors ? factor_preconditioner(dim, body)
-                                         : multigrid_preconditioner(dim, body);
-    return {std::make_unique<IterativeStepSystem>(
-              dim, body, std::move(preconditioner), tolerance),
+           << (wants_factors ? "factors of the matrix at rest"
+                             : "a multigrid method")
+           << ", because ";
+    if (is_isotropic)
+      reason << "factors of the " << body.mass.size() << " nodes have " << fill
+             << " times the entries of the matrix.";
+    else
+      reason << "nodes resist in one direction " << std::max(least, 0.)
+             << " times as much as in another.";
+    auto preconditioner = wants_factors ? factor_preconditioner(dim, body)
+                                        : multigrid_preconditioner(dim, body);
+    return {std::make_unique<IterativeStepSystem>(dim,
+                                                  body,
+                                                  std::move(preconditioner),
+                                                  tolerance,
+                                                  std::move(substitute)),
             reason.str()};
   }
 } // namespace springfit

@@ -109,6 +109,13 @@ namespace springfit
   }
 
   void
+  LinearBody::add_convex_tangent(const Eigen::MatrixXd &displacement,
+                                 TangentMatrix &tangent) const
+  {
+    add_tangent(displacement, tangent);
+  }
+
+  void
   LinearBody::add_to_pattern(NodePattern &pattern) const
   {
     for (Eigen::Index b = 0; b < stiffness_.cols() / dim_; ++b)

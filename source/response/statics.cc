@@ -32,12 +32,17 @@ namespace springfit
       return table;
     }
 
+    template <int dim, int spacedim>
     ModelWords
     words_of_finite_elements()
     {
       return {"the finite element model",
-              "A part of the object can move without resistance: check the "
-              "mesh and the supports."};
+              std::string("A part of the object can move without resistance: "
+                          "check the mesh and the supports.") +
+                (dim < spacedim ? " A flat surface at rest has no resistance "
+                                  "across itself; it moves under 'Study = "
+                                  "dynamics'."
+                                : "")};
     }
 
     /** What bears cells turned inside out, where the law in force does not. */
@@ -296,7 +301,7 @@ namespace springfit
       FiniteElementBody<dim, spacedim>(
         mesh, element, materials, MaterialLaw::linear),
       solver_factory(discretization, smallest_cg_linear<spacedim>),
-      words_of_finite_elements());
+      words_of_finite_elements<dim, spacedim>());
   }
 
   template <int spacedim>

@@ -2,6 +2,7 @@
 #include <springfit/motion/step_systems.h>
 #include <springfit/reference/consistent_mass.h>
 #include <springfit/reference/nodal_masses.h>
+#include <springfit/response/convex_tangent.h>
 #include <springfit/response/expression.h>
 #include <springfit/response/finite_element_body.h>
 #include <springfit/response/linear_body.h>
@@ -232,7 +233,14 @@ namespace springfit
         const double tolerance = settings.newton.n_iterations == 1
                                    ? settings.newton.tolerance
                                    : std::min(1e-6, settings.newton.tolerance);
-        auto chosen   = make_step_system(spacedim, model->body, tolerance);
+        auto chosen =
+          make_step_system(spacedim,
+                           model->body,
+                           tolerance,
+                           // One linearisation may be any that leads downhill.
+                           settings.newton.n_iterations == 1
+                             ? convex_tangent_operator(*model->elastic)
+                             : nullptr);
         model->system = std::move(chosen.system);
         model->reason = chosen.reason;
         if (settings.integrator == Integrator::generalised_alpha ||

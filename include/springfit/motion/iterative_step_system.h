@@ -11,6 +11,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace springfit
@@ -20,7 +21,8 @@ namespace springfit
    * from a guess that solutions before suggest. The preconditioner is built at
    * rest and kept; it is built anew at the present state when it serves much
    * worse than in the beginning. A matrix that is not positive definite, of
-   * springs under compression, is solved by factors.
+   * springs under compression, is solved with the substitute for its stiffness
+   * if there is one, and by factors otherwise.
    */
   class IterativeStepSystem : public StepSystem
   {
@@ -28,11 +30,13 @@ namespace springfit
     /**
      * @param body must outlive the object
      * @param tolerance for the residual relative to the forces
+     * @param substitute a positive semidefinite stiffness; may be null
      */
     IterativeStepSystem(int dim,
                         const MovingBody &body,
                         std::unique_ptr<StepPreconditioner> preconditioner,
-                        double tolerance = 1e-6);
+                        double tolerance                            = 1e-6,
+                        std::unique_ptr<TangentOperator> substitute = nullptr);
 
     void
     linearise(const MotionState &state) override;
@@ -70,6 +74,17 @@ namespace springfit
     void
     judge(const ConjugateGradients &result);
 
+    void
+    build_preconditioner(const Eigen::MatrixXd &displacement);
+
+    /** After so many a new preconditioner is cheaper. */
+    unsigned int
+    n_iterations_to_try() const;
+
+    /** By conjugate gradients with the present stiffness; or nothing. */
+    std::optional<Eigen::MatrixXd>
+    solve_iteratively(const Eigen::MatrixXd &forces);
+
     Eigen::MatrixXd
     solve_directly(const Eigen::MatrixXd &forces);
 
@@ -78,7 +93,12 @@ namespace springfit
     const std::unique_ptr<StepPreconditioner> preconditioner_;
     const double tolerance_;
 
-    const std::unique_ptr<TangentOperator> tangent_;
+    const std::unique_ptr<TangentOperator> tangent_, substitute_;
+    TangentOperator *stiffness_; // one of the two
+
+    // For how many more linearisations the substitute serves.
+    unsigned int n_substituted_ = 0;
+
     MotionState state_;
     Eigen::MatrixXd load_blocks_;              // see MovingBody::load_stiffness
     std::unique_ptr<DirectStepSystem> direct_; // none before it is wanted

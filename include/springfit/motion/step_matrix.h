@@ -2,6 +2,7 @@
 #define springfit_motion_step_matrix_h
 
 #include <springfit/motion/moving_body.h>
+#include <springfit/springs/tangent_matrix.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -11,10 +12,26 @@ namespace springfit
   // The matrix mass_factor M + stiffness_factor K of an implicit step with the
   // tangent stiffness K at a displacement (dim x n_nodes, m); both factors > 0.
 
+  /** A matrix of its sparsity, zero. */
+  TangentMatrix
+  empty_step_matrix(int dim, const MovingBody &body);
+
+  /** Make rows and columns of held unknowns those of the unit matrix. */
+  void
+  put_ones_where_held(const MovingBody &body,
+                      Eigen::SparseMatrix<double> &matrix);
+
   /**
-   * All of it, (dim * n_nodes)^2: rows and columns of held unknowns are those
-   * of the unit matrix.
+   * All of it, (dim * n_nodes)^2, of a tangent stiffness K; see
+   * put_ones_where_held().
    */
+  Eigen::SparseMatrix<double>
+  step_matrix(const MovingBody &body,
+              const TangentMatrix &tangent,
+              double mass_factor,
+              double stiffness_factor);
+
+  /** The same with the tangent at a displacement. */
   Eigen::SparseMatrix<double>
   step_matrix(int dim,
               const MovingBody &body,

@@ -36,8 +36,8 @@ namespace springfit
   multigrid_preconditioner(int dim, const MovingBody &body);
 
   /**
-   * The exact inverse at the displacement by L D L^T factors. Where the matrix
-   * is not positive definite there those before remain.
+   * The exact inverse at the displacement by L D L^T factors; where the matrix
+   * is not positive definite there, that with the convex tangent.
    */
   std::unique_ptr<StepPreconditioner>
   factor_preconditioner(int dim, const MovingBody &body);

@@ -22,13 +22,18 @@ namespace springfit
    * The system that is fastest as far as the body's nodes and the pairs of them
    * that springs or cells join tell: conjugate gradients, with factors of the
    * matrix at rest where these have few entries, as of small or slender bodies,
-   * and a multigrid method elsewhere.
+   * or where nodes hardly resist in some direction, as those of membranes, and
+   * a multigrid method elsewhere.
    *
    * @param body must outlive the system
    * @param tolerance for the residual of a solution, relative to the forces
+   * @param substitute see IterativeStepSystem
    */
   ChosenStepSystem
-  make_step_system(int dim, const MovingBody &body, double tolerance = 1e-6);
+  make_step_system(int dim,
+                   const MovingBody &body,
+                   double tolerance                            = 1e-6,
+                   std::unique_ptr<TangentOperator> substitute = nullptr);
 } // namespace springfit
 
 #endif

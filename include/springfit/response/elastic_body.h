@@ -52,6 +52,15 @@ namespace springfit
     add_tangent(const Eigen::MatrixXd &displacement,
                 TangentMatrix &tangent) const = 0;
 
+    /**
+     * The same as add_tangent() with the negative eigenvalues of each spring's
+     * or cell's Hessian left out: positive semidefinite, so that its Newton
+     * step leads downhill everywhere (Teran, Sifakis, Irving and Fedkiw 2005).
+     */
+    virtual void
+    add_convex_tangent(const Eigen::MatrixXd &displacement,
+                       TangentMatrix &tangent) const = 0;
+
     /** The nodes that have entries in the tangent with each other. */
     virtual void
     add_to_pattern(NodePattern &pattern) const = 0;
@@ -62,15 +71,6 @@ namespace springfit
   class BodyOfMembers : public ElasticBody
   {
   public:
-    /**
-     * The same as add_tangent() with the negative eigenvalues of each spring's
-     * or cell's Hessian left out: positive semidefinite, so that its Newton
-     * step leads downhill everywhere (Teran, Sifakis, Irving and Fedkiw 2005).
-     */
-    virtual void
-    add_convex_tangent(const Eigen::MatrixXd &displacement,
-                       TangentMatrix &tangent) const = 0;
-
     /**
      * The part of the body whose springs or cells have their first node among
      * those flagged: the parts of all ranks together are the body.

@@ -36,6 +36,11 @@ namespace springfit
     add_tangent(const Eigen::MatrixXd &displacement,
                 TangentMatrix &tangent) const override;
 
+    /** The tangent, which is the same everywhere. */
+    void
+    add_convex_tangent(const Eigen::MatrixXd &displacement,
+                       TangentMatrix &tangent) const override;
+
     void
     add_to_pattern(NodePattern &pattern) const override;
 

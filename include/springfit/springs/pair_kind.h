@@ -3,9 +3,11 @@
 
 #include <springfit/springs/kernel_kind.h>
 #include <springfit/springs/pair_operator.h>
+#include <springfit/springs/tangent_matrix.h>
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -209,6 +211,40 @@ namespace springfit
           return kernel.change(m, d, at(u, i) - at(u, j));
         },
         product);
+    }
+
+    /**
+     * The Hessian has the slope across the spring and slope + curvature l^2
+     * along it as eigenvalues: a spring that is pressed resists along itself
+     * alone (Choi and Ko 2002).
+     */
+    void
+    add_convex_tangent(const Members &members,
+                       const Eigen::MatrixXd &x,
+                       TangentMatrix &tangent) const override
+    {
+      using Block = Eigen::Matrix<double, dim, dim>;
+      const PairKernel<dim, Law> kernel(members);
+      for (std::size_t m = 0; m < members.nodes.size() / 2; ++m)
+        {
+          const unsigned int i = members.nodes[2 * m];
+          const unsigned int j = members.nodes[2 * m + 1];
+          const Vector d       = at(x, j) - at(x, i);
+          if (!kernel.is_smooth_at(m, d))
+            continue;
+          const double s      = d.squaredNorm();
+          const double slope  = kernel.slope(m, d);
+          const double across = std::max(slope, 0.);
+          const double along = std::max(slope + kernel.curvature(m, d) * s, 0.);
+          Block block        = across * Block::Identity();
+          if (s > 0.)
+            block += (along - across) / s * d * d.transpose();
+          tangent.add(i, i, block);
+          tangent.add(j, j, block);
+          block = -block;
+          tangent.add(i, j, block);
+          tangent.add(j, i, block);
+        }
     }
 
     std::unique_ptr<TangentOperator>
