@@ -1,4 +1,5 @@
 #include <springfit/motion/iterative_step_system.h>
+#include <springfit/response/convex_tangent.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace springfit
     constexpr double outworn_factor = 2., outworn_more = 10.;
 
     // What is pressed stays so for a while.
-    constexpr unsigned int n_linearisations_with_substitute = 20;
+    constexpr unsigned int n_convex_linearisations = 10;
 
     std::vector<Eigen::Index>
     held_unknowns(const MovingBody &body)
@@ -42,13 +43,13 @@ namespace springfit
     const MovingBody &body,
     std::unique_ptr<StepPreconditioner> preconditioner,
     const double tolerance,
-    std::unique_ptr<TangentOperator> substitute)
+    const WhereIndefinite where)
     : dim_(dim)
     , body_(body)
     , preconditioner_(std::move(preconditioner))
     , tolerance_(tolerance)
     , tangent_(body.elastic->tangent_operator())
-    , substitute_(std::move(substitute))
+    , where_indefinite_(where)
     , stiffness_(tangent_.get())
     , held_(held_unknowns(body))
   {}
@@ -57,9 +58,9 @@ namespace springfit
   void
   IterativeStepSystem::linearise(const MotionState &state)
   {
-    stiffness_ = n_substituted_ > 0 ? substitute_.get() : tangent_.get();
-    if (n_substituted_ > 0)
-      --n_substituted_;
+    stiffness_ = n_convex_ > 0 ? convex_tangent_.get() : tangent_.get();
+    if (n_convex_ > 0)
+      --n_convex_;
     stiffness_->linearise(state.displacement);
     state_ = state;
     if (body_.load_stiffness)
@@ -165,6 +166,17 @@ namespace springfit
   }
 
 
+  void
+  IterativeStepSystem::take_convex_tangent()
+  {
+    if (!convex_tangent_)
+      convex_tangent_ = convex_tangent_operator(*body_.elastic);
+    n_convex_  = n_convex_linearisations;
+    stiffness_ = convex_tangent_.get();
+    stiffness_->linearise(state_.displacement);
+  }
+
+
   Eigen::MatrixXd
   IterativeStepSystem::solve_directly(const Eigen::MatrixXd &forces)
   {
@@ -221,11 +233,10 @@ namespace springfit
     if (!std::isfinite(free_forces.norm()))
       return free_forces; // what it leads to is for the caller to refuse
     auto solution = solve_iteratively(free_forces);
-    if (!solution && substitute_ && stiffness_ != substitute_.get())
+    if (!solution && where_indefinite_ == WhereIndefinite::convex_tangent &&
+        stiffness_ == tangent_.get())
       {
-        n_substituted_ = n_linearisations_with_substitute;
-        stiffness_     = substitute_.get();
-        stiffness_->linearise(state_.displacement);
+        take_convex_tangent();
         solution = solve_iteratively(free_forces);
       }
     if (!solution && first_effort_ > 0.)
@@ -247,9 +258,9 @@ namespace springfit
   {
     factors_ = {};
     solutions_.clear();
-    first_effort_  = 0.;
-    is_outworn_    = false;
-    n_substituted_ = 0;
+    first_effort_ = 0.;
+    is_outworn_   = false;
+    n_convex_     = 0;
   }
 
 

@@ -95,7 +95,7 @@ namespace springfit
   make_step_system(const int dim,
                    const MovingBody &body,
                    const double tolerance,
-                   std::unique_ptr<TangentOperator> substitute)
+                   const WhereIndefinite where)
   {
     const double fill        = fill_of_factors(graph_of(body));
     const double least       = isotropy(dim, body);
@@ -115,11 +115,8 @@ namespace springfit
              << " times as much as in another.";
     auto preconditioner = wants_factors ? factor_preconditioner(dim, body)
                                         : multigrid_preconditioner(dim, body);
-    return {std::make_unique<IterativeStepSystem>(dim,
-                                                  body,
-                                                  std::move(preconditioner),
-                                                  tolerance,
-                                                  std::move(substitute)),
+    return {std::make_unique<IterativeStepSystem>(
+              dim, body, std::move(preconditioner), tolerance, where),
             reason.str()};
   }
 } // namespace springfit

@@ -2,7 +2,6 @@
 #include <springfit/motion/step_systems.h>
 #include <springfit/reference/consistent_mass.h>
 #include <springfit/reference/nodal_masses.h>
-#include <springfit/response/convex_tangent.h>
 #include <springfit/response/expression.h>
 #include <springfit/response/finite_element_body.h>
 #include <springfit/response/linear_body.h>
@@ -233,16 +232,14 @@ namespace springfit
         const double tolerance = settings.newton.n_iterations == 1
                                    ? settings.newton.tolerance
                                    : std::min(1e-6, settings.newton.tolerance);
-        auto chosen =
-          make_step_system(spacedim,
-                           model->body,
-                           tolerance,
-                           // One linearisation may be any that leads downhill.
-                           settings.newton.n_iterations == 1
-                             ? convex_tangent_operator(*model->elastic)
-                             : nullptr);
-        model->system = std::move(chosen.system);
-        model->reason = chosen.reason;
+        auto chosen            = make_step_system(spacedim,
+                                       model->body,
+                                       tolerance,
+                                       settings.newton.n_iterations == 1
+                                                    ? WhereIndefinite::convex_tangent
+                                                    : WhereIndefinite::factors);
+        model->system          = std::move(chosen.system);
+        model->reason          = chosen.reason;
         if (settings.integrator == Integrator::generalised_alpha ||
             settings.integrator == Integrator::newmark)
           set_acceleration(model->body, *model->system, model->state);

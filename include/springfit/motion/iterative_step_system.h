@@ -16,13 +16,25 @@
 
 namespace springfit
 {
+  /** What a step does where its matrix is not positive definite. */
+  enum class WhereIndefinite
+  {
+    /** It is solved all the same, by factors. */
+    factors,
+
+    /**
+     * It is solved with the convex tangent, see ElasticBody: that leads
+     * downhill, which is enough for a single linearisation.
+     */
+    convex_tangent
+  };
+
+
   /**
    * By preconditioned conjugate gradients with products that need no matrix,
    * from a guess that solutions before suggest. The preconditioner is built at
    * rest and kept; it is built anew at the present state when it serves much
-   * worse than in the beginning. A matrix that is not positive definite, of
-   * springs under compression, is solved with the substitute for its stiffness
-   * if there is one, and by factors otherwise.
+   * worse than in the beginning.
    */
   class IterativeStepSystem : public StepSystem
   {
@@ -30,13 +42,12 @@ namespace springfit
     /**
      * @param body must outlive the object
      * @param tolerance for the residual relative to the forces
-     * @param substitute a positive semidefinite stiffness; may be null
      */
     IterativeStepSystem(int dim,
                         const MovingBody &body,
                         std::unique_ptr<StepPreconditioner> preconditioner,
-                        double tolerance                            = 1e-6,
-                        std::unique_ptr<TangentOperator> substitute = nullptr);
+                        double tolerance      = 1e-6,
+                        WhereIndefinite where = WhereIndefinite::factors);
 
     void
     linearise(const MotionState &state) override;
@@ -85,6 +96,9 @@ namespace springfit
     std::optional<Eigen::MatrixXd>
     solve_iteratively(const Eigen::MatrixXd &forces);
 
+    void
+    take_convex_tangent();
+
     Eigen::MatrixXd
     solve_directly(const Eigen::MatrixXd &forces);
 
@@ -93,11 +107,13 @@ namespace springfit
     const std::unique_ptr<StepPreconditioner> preconditioner_;
     const double tolerance_;
 
-    const std::unique_ptr<TangentOperator> tangent_, substitute_;
-    TangentOperator *stiffness_; // one of the two
+    const std::unique_ptr<TangentOperator> tangent_;
+    const WhereIndefinite where_indefinite_;
+    std::unique_ptr<TangentOperator> convex_tangent_; // none unless wanted
+    TangentOperator *stiffness_;                      // one of the two
 
-    // For how many more linearisations the substitute serves.
-    unsigned int n_substituted_ = 0;
+    // For how many more linearisations it is the convex one.
+    unsigned int n_convex_ = 0;
 
     MotionState state_;
     Eigen::MatrixXd load_blocks_;              // see MovingBody::load_stiffness

@@ -27,13 +27,12 @@ namespace springfit
    *
    * @param body must outlive the system
    * @param tolerance for the residual of a solution, relative to the forces
-   * @param substitute see IterativeStepSystem
    */
   ChosenStepSystem
   make_step_system(int dim,
                    const MovingBody &body,
-                   double tolerance                            = 1e-6,
-                   std::unique_ptr<TangentOperator> substitute = nullptr);
+                   double tolerance      = 1e-6,
+                   WhereIndefinite where = WhereIndefinite::factors);
 } // namespace springfit
 
 #endif
