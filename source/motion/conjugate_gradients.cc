@@ -34,7 +34,10 @@ namespace springfit
         if (result.n_iterations == 0)
           direction = z;
         else
-          direction = z + next / weight * direction;
+          {
+            direction *= next / weight;
+            direction += z;
+          }
         weight = next;
         matrix(direction, of_direction);
         const double curvature = product(direction, of_direction);

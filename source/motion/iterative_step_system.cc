@@ -51,6 +51,7 @@ namespace springfit
     , tangent_(body.elastic->tangent_operator())
     , where_indefinite_(where)
     , stiffness_(tangent_.get())
+    , mass_of_unknowns_(body.mass.transpose().replicate(dim, 1).reshaped())
     , held_(held_unknowns(body))
   {}
 
@@ -67,6 +68,10 @@ namespace springfit
       {
         load_blocks_.setZero(dim_, dim_ * body_.mass.size());
         body_.load_stiffness(state, load_blocks_);
+        touched_.clear();
+        for (Eigen::Index v = 0; v < body_.mass.size(); ++v)
+          if (!load_blocks_.middleCols(dim_ * v, dim_).isZero(0.))
+            touched_.push_back(v);
       }
   }
 
@@ -90,11 +95,15 @@ namespace springfit
       product =
         factors_.stiffness * product + factors_.mass * mass_product(body_, u);
     else
-      for (Eigen::Index v = 0; v < u.cols(); ++v)
-        product.col(v) = factors_.stiffness * product.col(v) +
-                         factors_.mass * body_.mass[v] * u.col(v);
+      {
+        // reshaped() would not be vectorised.
+        Eigen::Map<Eigen::VectorXd> all(product.data(), product.size());
+        const Eigen::Map<const Eigen::VectorXd> motion(u.data(), u.size());
+        all = factors_.stiffness * all +
+              factors_.mass * mass_of_unknowns_.cwiseProduct(motion);
+      }
     if (body_.load_stiffness)
-      for (Eigen::Index v = 0; v < u.cols(); ++v)
+      for (const Eigen::Index v : touched_)
         product.col(v) += factors_.load_stiffness *
                           (load_blocks_.middleCols(dim_ * v, dim_) * u.col(v));
     if (are_there(body_.dampers))

@@ -117,6 +117,8 @@ namespace springfit
 
     MotionState state_;
     Eigen::MatrixXd load_blocks_;              // see MovingBody::load_stiffness
+    std::vector<Eigen::Index> touched_;        // nodes that it is not 0 of
+    const Eigen::VectorXd mass_of_unknowns_;   // kg, dim * v + d
     std::unique_ptr<DirectStepSystem> direct_; // none before it is wanted
 
     const std::vector<Eigen::Index> held_; // unknowns, see MovingBody
