@@ -1,3 +1,4 @@
+#include <springfit/core/error.h>
 #include <springfit/mesh/announced.h>
 #include <springfit/mesh/announced_msh_binary.h>
 #include <springfit/mesh/gmsh_element_types.h>
@@ -19,17 +20,23 @@ namespace springfit
       bool is_binary;
     };
 
+    // gmsh reads over any sections that stand before these.
     Head
     read_head(const std::filesystem::path &file)
     {
       std::ifstream stream(file, std::ios::binary);
-      std::string first, version, is_binary;
-      stream >> first >> version >> is_binary;
-      if (first == "$NOD")
-        return {"1", false};
-      if (first != "$MeshFormat")
-        return {"", false};
-      return {version, is_binary == "1"};
+      for (std::string line; std::getline(stream, line);)
+        {
+          if (line.rfind("$NOD", 0) == 0)
+            return {"1", false};
+          if (line.rfind("$MeshFormat", 0) == 0)
+            {
+              std::string version, is_binary;
+              stream >> version >> is_binary;
+              return {version, is_binary == "1"};
+            }
+        }
+      return {"", false};
     }
 
     class Reader
@@ -290,7 +297,12 @@ namespace springfit
   std::optional<Announced>
   announced_in_msh(const std::filesystem::path &file)
   {
-    const Head head                          = read_head(file);
+    const Head head = read_head(file);
+    if (head.version.empty())
+      throw InputError("Mesh file '" + file.string() +
+                         "' has neither $MeshFormat nor, as of version 1, "
+                         "$NOD.",
+                       "Write it anew.");
     static const std::set<std::string> known = {
       "1", "2", "2.0", "2.1", "2.2", "4", "4.0", "4.1"};
     if (known.count(head.version) == 0)

@@ -244,27 +244,38 @@ namespace springfit
           " names groups that hold no elements: " + join_some(empty) + '.');
     }
 
-    // gmsh knows some endings in small letters only.
+    // By another name, since gmsh knows some endings in small letters only, and
+    // runs the file mesh.msh.opt that may stand beside mesh.msh. The files that
+    // a script names are sought beside it.
     void
     open(const std::filesystem::path &file, const int dim)
     {
-      const std::string small = ending_of(file);
-      if (file.extension() == small || may_be_script(file))
+      if (is_geo_script(file))
         return open_with_groups(file, dim);
-      const auto link = std::filesystem::temp_directory_path() /
-                        ("springfit_" + std::to_string(::getpid()) + small);
+      const auto link =
+        std::filesystem::temp_directory_path() /
+        ("springfit_" + std::to_string(::getpid()) + ending_of(file));
       std::filesystem::remove(link);
       std::filesystem::create_symlink(std::filesystem::absolute(file), link);
+      const auto remove = [&link]() { std::filesystem::remove(link); };
       try
         {
           open_with_groups(link, dim);
         }
-      catch (...)
+      catch (std::string &complaint)
         {
-          std::filesystem::remove(link);
+          remove();
+          if (const auto at = complaint.find(link.string());
+              at != std::string::npos)
+            complaint.replace(at, link.string().size(), file.string());
           throw;
         }
-      std::filesystem::remove(link);
+      catch (...)
+        {
+          remove();
+          throw;
+        }
+      remove();
     }
 
     MeshDescription

@@ -496,6 +496,22 @@ TEST(File, whose_ending_is_in_capitals_is_read)
   std::filesystem::remove_all(folder);
 }
 
+// gmsh runs the file mesh.msh.opt when it opens mesh.msh.
+TEST(File, with_options_beside_it_runs_no_command)
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() / "springfit_options";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(std::string(MESH_DATA) + "/plate_v2.msh",
+                             folder / "plate.msh");
+  std::ofstream(folder / "plate.msh.opt")
+    << "SystemCall \"touch " << (folder / "called").string() << "\";\n";
+  make_mesh<2>("Object = file; File = plate.msh", folder);
+  EXPECT_FALSE(std::filesystem::exists(folder / "called"));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(File, that_is_huge_asks_about_its_scale)
 {
   EXPECT_TRUE(has_warning(read<2>("plate_v2.msh", "Scale = 1000")->warnings,
@@ -524,7 +540,7 @@ TEST(File, that_is_bad_is_refused)
 {
   read_bad("absent.msh", {"Geometry/File", "absent.msh", "does not exist"});
   read_bad(".", {"Geometry/File", "is a directory"});
-  read_bad("no_mesh.msh", {"no_mesh.msh", "cannot be read by gmsh", "formats"});
+  read_bad("no_mesh.msh", {"no_mesh.msh", "begin with $MeshFormat", "formats"});
   read_bad("empty.msh", {"no cells of dimension 2", "no elements at all"});
   read_bad(
     "curve_without_surface.msh",
