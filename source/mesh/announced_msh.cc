@@ -3,9 +3,9 @@
 #include <springfit/mesh/announced_msh_binary.h>
 #include <springfit/mesh/gmsh_element_types.h>
 #include <springfit/mesh/known_numbers.h>
+#include <springfit/mesh/msh_head.h>
 #include <springfit/mesh/text_tokens.h>
 
-#include <fstream>
 #include <set>
 #include <utility>
 #include <vector>
@@ -14,31 +14,6 @@ namespace springfit
 {
   namespace
   {
-    struct Head
-    {
-      std::string version;
-      bool is_binary;
-    };
-
-    // gmsh reads over any sections that stand before these.
-    Head
-    read_head(const std::filesystem::path &file)
-    {
-      std::ifstream stream(file, std::ios::binary);
-      for (std::string line; std::getline(stream, line);)
-        {
-          if (line.rfind("$NOD", 0) == 0)
-            return {"1", false};
-          if (line.rfind("$MeshFormat", 0) == 0)
-            {
-              std::string version, is_binary;
-              stream >> version >> is_binary;
-              return {version, is_binary == "1"};
-            }
-        }
-      return {"", false};
-    }
-
     class Reader
     {
     public:
@@ -297,7 +272,7 @@ namespace springfit
   std::optional<Announced>
   announced_in_msh(const std::filesystem::path &file)
   {
-    const Head head = read_head(file);
+    const MshHead head = read_msh_head(file);
     if (head.version.empty())
       throw InputError("Mesh file '" + file.string() +
                          "' has neither $MeshFormat nor, as of version 1, "

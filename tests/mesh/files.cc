@@ -87,6 +87,42 @@ TEST(File, has_the_groups_of_each_element)
   expect_plate(*read<2>("groups_by_element.msh"));
 }
 
+namespace
+{
+  double
+  length_of(const Mesh<2> &mesh, const std::string &boundary)
+  {
+    double length  = 0.;
+    const auto ids = find_boundaries(mesh, {boundary}, "E");
+    for (const auto &row : boundary_table(mesh))
+      if (ids.count(row.id) > 0)
+        length += row.area;
+    return length;
+  }
+} // namespace
+
+TEST(File, of_gmsh_may_have_groups_that_overlap_or_share_a_name)
+{
+  const auto by_element = read<2>("overlapping_groups.msh");
+  EXPECT_NEAR(length_of(*by_element, "wall"), 2., 1e-15);
+  EXPECT_NEAR(length_of(*by_element, "held"), 3., 1e-15);
+  EXPECT_EQ(find_materials(*by_element, "plate", "E"), (Ids{9, 10}));
+  EXPECT_TRUE(has_warning(by_element->warnings, "5 ('held') mean the sides"));
+
+  const auto by_entity = read<2>("overlapping_entities.msh");
+  EXPECT_NEAR(length_of(*by_entity, "bottom"), 2., 1e-15);
+  EXPECT_NEAR(length_of(*by_entity, "held"), 3., 1e-15);
+}
+
+TEST(File, may_give_a_side_several_ids)
+{
+  const auto mesh = read<2>("overlapping_references.mesh");
+  EXPECT_NEAR(length_of(*mesh, "1"), 2., 1e-15);
+  EXPECT_NEAR(length_of(*mesh, "5"), 2., 1e-15);
+  EXPECT_TRUE(has_warning(mesh->warnings, "3 of 6 boundary edges"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "left out: 1 of '7'"));
+}
+
 TEST(File, is_scaled)
 {
   const auto mesh = read<2>("plate_v2.msh", "Scale = 0.001");

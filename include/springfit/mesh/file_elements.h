@@ -55,8 +55,8 @@ namespace springfit
 
   /**
    * Give the sides of the boundary the ids of the elements that lie on them;
-   * @p elements are those of mesh_of_elements. Those inside the body are
-   * counted in a warning, and so are sides without an element.
+   * @p elements are those of mesh_of_elements. Elements of one id are a group
+   * as label_boundary_groups() has it, those of the id 0 are none.
    */
   void
   label_sides(MeshOfElements &result,
