@@ -496,6 +496,8 @@ TEST(File, that_loses_something_is_refused)
   read_bad("other_system.bdf", {"line 4", "coordinate system 5"});
   read_bad("word_as_coordinate.bdf", {"line 2", "'abc'"});
   read_bad("include.bdf", {"line 2", "INCLUDE"});
+  read_bad("repeated_card.bdf", {"line 2", "does not repeat cards"});
+  read_bad("unknown_card.bdf", {"line 4", "'CTRIAX6' is not known"});
   read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
   read_bad("cut_short.vtk", {"the file ends too early"});
   read_bad("copied_nodes.inp", {"line 6", "*NCOPY"});
