@@ -179,12 +179,9 @@ namespace springfit
         const std::string text = card.field(1);
         if (text.empty() || text == "0")
           return 0;
-        const auto id = read_label(text, card.place);
-        if (id > 2147483647)
-          throw text_error(card.place,
-                           "the property " + text +
-                             " of an element is above 2147483647");
-        return id;
+        return checked_id(read_label(text, card.place),
+                          "the property",
+                          card.place);
       }
 
       std::string default_system_;

@@ -244,11 +244,10 @@ namespace springfit
         UnvGroup group;
         const long number = read_integer(words[0], head.place);
         const long n      = read_integer(words.back(), head.place);
-        if (n < 0 || number < 0 || number > 2147483647)
+        if (n < 0)
           throw text_error(head.place,
-                           "a group has a number below 0 or above "
-                           "2147483647");
-        group.number = number;
+                           "a group announces fewer than 0 members");
+        group.number = checked_id(number, "the group", head.place);
         group.name   = trimmed(line("the name of a group").text);
         while (group.members.size() < std::size_t(n))
           {

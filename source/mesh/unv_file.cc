@@ -62,7 +62,11 @@ namespace springfit
             has_material[element.dim] ? element.material : element.property;
           numbered.add_element(shape_of(element),
                                element.number,
-                               std::clamp(id, 0l, 2147483647l),
+                               checked_id(id,
+                                          has_material[element.dim]
+                                            ? "the material"
+                                            : "the property",
+                                          element.place),
                                element.nodes,
                                element.place);
         }

@@ -498,6 +498,8 @@ TEST(File, that_loses_something_is_refused)
   read_bad("include.bdf", {"line 2", "INCLUDE"});
   read_bad("repeated_card.bdf", {"line 2", "does not repeat cards"});
   read_bad("unknown_card.bdf", {"line 4", "'CTRIAX6' is not known"});
+  read_bad("negative_reference.mesh", {"line 7", "reference -1 is no id"});
+  read_bad("large_group.msh", {"line 10", "99999999999 is no id"});
   read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
   read_bad("cut_short.vtk", {"the file ends too early"});
   read_bad("copied_nodes.inp", {"line 6", "*NCOPY"});
