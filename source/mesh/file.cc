@@ -135,7 +135,10 @@ namespace springfit
         };
       if (ending == ".unv")
         return [](const ObjectRequest &request) {
-          return read_unv_file(request.file, name_of(request), request.dim);
+          return read_unv_file(request.file,
+                               name_of(request),
+                               request.dim,
+                               request.scale);
         };
       if (ending == ".bdf" || ending == ".nas")
         return [](const ObjectRequest &request) {

@@ -62,6 +62,22 @@ namespace springfit
       return *cells.front();
     }
 
+    void
+    count_others(const std::string &name,
+                 const int dim,
+                 const std::vector<FileElements> &elements,
+                 MeshDescription &mesh)
+    {
+      std::vector<std::string> found;
+      for (int d = 0; d < dim - 1; ++d)
+        if (const std::string of_dim = found_in(elements, d); !of_dim.empty())
+          found.push_back(of_dim);
+      if (!found.empty())
+        mesh.warnings.push_back(
+          name + ": elements that are neither cells nor sides are left out: " +
+          join(found) + '.');
+    }
+
     using VertexOfNode = std::vector<std::optional<unsigned int>>;
 
     VertexOfNode
@@ -120,6 +136,7 @@ namespace springfit
       for (const unsigned int i : order)
         mesh.cells.push_back(*vertices[cells.nodes[c * order.size() + i]]);
     check_no_duplicate_cells(mesh); // or sides would have three
+    count_others(name, dim, elements, mesh);
     return {std::move(mesh), vertices};
   }
 

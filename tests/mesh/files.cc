@@ -347,6 +347,19 @@ TEST(File, of_universal_format_has_groups_of_nodes_sides_and_cells)
   read_bad("short_group.unv", {"'some nodes'", "4 announced"});
 }
 
+// Nodes of one line each, a beam, and data that are no part of the mesh.
+TEST(File, of_universal_format_may_state_its_unit)
+{
+  const auto mesh = read<3>("millimetres.unv");
+  EXPECT_NEAR(measure_of(*mesh), 1. / 6., 1e-15);
+  EXPECT_TRUE(has_warning(mesh->warnings, "unit of length is 0.001 m"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "passed over: 1710"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "left out: 1 of type '21"));
+  EXPECT_FALSE(
+    has_warning(read<3>("millimetres.unv", "Scale = 0.001")->warnings,
+                "unit of length"));
+}
+
 namespace
 {
   std::string

@@ -41,7 +41,8 @@ namespace springfit
 
   /**
    * The mesh of the elements of dimension @p dim, without ids of boundaries.
-   * Nodes without cells are counted in a warning. @p points holds the nodes in
+   * Nodes without cells are counted in a warning, and so are elements that are
+   * neither cells nor sides. @p points holds the nodes in
    * the file's units, @p name becomes the mesh's.
    *
    * @throws InputError when there are no such cells, or of several types, or of
