@@ -1,11 +1,15 @@
+#include <springfit/core/error.h>
 #include <springfit/mesh/announced.h>
 #include <springfit/mesh/announced_msh_binary.h>
 #include <springfit/mesh/gmsh_element_types.h>
 #include <springfit/mesh/known_numbers.h>
+#include <springfit/mesh/msh_head.h>
 #include <springfit/mesh/text_tokens.h>
 
-#include <fstream>
+#include <array>
+#include <cstdlib>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,25 +17,6 @@ namespace springfit
 {
   namespace
   {
-    struct Head
-    {
-      std::string version;
-      bool is_binary;
-    };
-
-    Head
-    read_head(const std::filesystem::path &file)
-    {
-      std::ifstream stream(file, std::ios::binary);
-      std::string first, version, is_binary;
-      stream >> first >> version >> is_binary;
-      if (first == "$NOD")
-        return {"1", false};
-      if (first != "$MeshFormat")
-        return {"", false};
-      return {version, is_binary == "1"};
-    }
-
     class Reader
     {
     public:
@@ -80,6 +65,8 @@ namespace springfit
           }
         else if (section == "PhysicalNames")
           read_names();
+        else if (section == "Entities" && version_[0] == '4')
+          read_entities();
         else
           {
             while (!tokens_.at_end() && tokens_.peek() != end)
@@ -101,8 +88,9 @@ namespace springfit
         const std::size_t n = tokens_.count("the number of names");
         for (std::size_t i = 0; i < n; ++i)
           {
-            tokens_.count("name " + std::to_string(i + 1) + " of the " +
-                          std::to_string(n) + " announced");
+            const std::string what = which("name", i, n);
+            tokens_.count(what);
+            read_tag(what);
             tokens_.skip_line();
           }
       }
@@ -112,6 +100,40 @@ namespace springfit
       {
         return what + ' ' + std::to_string(i + 1) + " of the " +
                std::to_string(n) + " announced";
+      }
+
+      /** Of a group or an entity; gmsh keeps it in 32 bits. */
+      void
+      read_tag(const std::string &what)
+      {
+        const long tag = tokens_.integer(what);
+        checked_id(std::abs(tag), "the number", tokens_.place());
+      }
+
+      // Of each point, curve, surface and volume its number, the corners of its
+      // box, the numbers of its groups, and of what it is bounded by.
+      void
+      read_entities()
+      {
+        std::array<std::size_t, 4> n;
+        for (std::size_t &of_dim : n)
+          of_dim = tokens_.count("a number of entities");
+        for (unsigned int dim = 0; dim < 4; ++dim)
+          for (std::size_t i = 0; i < n[dim]; ++i)
+            {
+              const std::string what = which("entity", i, n[dim]) +
+                                       " of dimension " + std::to_string(dim);
+              read_tag(what);
+              const unsigned int n_reals = dim == 0 && !is_4_0() ? 3 : 6;
+              for (unsigned int d = 0; d < n_reals; ++d)
+                tokens_.next(what);
+              for (unsigned int list = 0; list < (dim == 0 ? 1 : 2); ++list)
+                {
+                  const std::size_t n_tags = tokens_.count(what);
+                  for (std::size_t t = 0; t < n_tags; ++t)
+                    read_tag(what);
+                }
+            }
       }
 
       void
@@ -222,8 +244,8 @@ namespace springfit
               return false;
             if (version_ == "1")
               {
-                tokens_.integer(what);
-                tokens_.integer(what);
+                read_tag(what);
+                read_tag(what);
                 if (tokens_.count(what) != type->second.n_nodes)
                   throw text_error(tokens_.place(),
                                    what +
@@ -234,7 +256,7 @@ namespace springfit
               {
                 const std::size_t n_tags = tokens_.count(what);
                 for (std::size_t t = 0; t < n_tags; ++t)
-                  tokens_.integer(what);
+                  read_tag(what);
               }
             elements_.add(element, place);
             read_nodes_of(element, type->second);
@@ -250,8 +272,8 @@ namespace springfit
         for (std::size_t b = 0; b < n_blocks; ++b)
           {
             const std::string block = which("block", b, n_blocks);
-            tokens_.integer(block);
-            tokens_.integer(block);
+            read_tag(block);
+            read_tag(block);
             const auto type = gmsh_element_types().find(tokens_.count(block));
             if (type == gmsh_element_types().end())
               return false;
@@ -290,7 +312,12 @@ namespace springfit
   std::optional<Announced>
   announced_in_msh(const std::filesystem::path &file)
   {
-    const Head head                          = read_head(file);
+    const MshHead head = read_msh_head(file);
+    if (head.version.empty())
+      throw InputError("Mesh file '" + file.string() +
+                         "' has neither $MeshFormat nor, as of version 1, "
+                         "$NOD.",
+                       "Write it anew.");
     static const std::set<std::string> known = {
       "1", "2", "2.0", "2.1", "2.2", "4", "4.0", "4.1"};
     if (known.count(head.version) == 0)

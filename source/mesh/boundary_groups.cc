@@ -1,10 +1,12 @@
 #include <springfit/mesh/boundary_groups.h>
 #include <springfit/mesh/facets.h>
+#include <springfit/mesh/mesh_text.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace springfit
@@ -91,18 +93,19 @@ namespace springfit
       return is_inside;
     }
 
+    using IdOfGroups = std::map<Groups, unsigned int>;
+
     // The empty list has the id 0.
     void
-    give_ids(std::map<Groups, unsigned int> &ids,
-             const std::vector<BoundaryGroup> &groups)
+    give_ids(IdOfGroups &ids, const std::vector<BoundaryGroup> &groups)
     {
-      std::set<unsigned int> taken = {0};
-      const auto number_of         = [&](const Groups &members) {
-        return members.size() == 1 ? groups[members.front()].number : 0;
-      };
+      std::set<unsigned int> taken = {0}, given = {0};
+      for (const BoundaryGroup &group : groups)
+        taken.insert(group.number);
       for (auto &[members, id] : ids)
-        if (taken.insert(number_of(members)).second)
-          id = number_of(members);
+        if (members.size() == 1 &&
+            given.insert(groups[members.front()].number).second)
+          id = groups[members.front()].number;
       unsigned int next = 1;
       for (auto &[members, id] : ids)
         if (id == 0 && !members.empty())
@@ -113,10 +116,99 @@ namespace springfit
           }
     }
 
+    /** The ids of the sides of each group. */
+    std::vector<std::set<unsigned int>>
+    ids_of_groups(const IdOfGroups &ids, const std::size_t n_groups)
+    {
+      std::vector<std::set<unsigned int>> result(n_groups);
+      for (const auto &[members, id] : ids)
+        for (const unsigned int g : members)
+          result[g].insert(id);
+      return result;
+    }
+
+    std::string
+    name_or_number(const BoundaryGroup &group)
+    {
+      return group.name.empty() ? std::to_string(group.number) : group.name;
+    }
+
+    void
+    name_ids(MeshDescription &mesh,
+             const std::vector<BoundaryGroup> &groups,
+             const std::vector<std::set<unsigned int>> &ids)
+    {
+      mesh.boundary_names.clear();
+      std::vector<std::string> with_two_meanings;
+      for (std::size_t g = 0; g < groups.size(); ++g)
+        {
+          const unsigned int number = groups[g].number;
+          const bool is_its_number  = ids[g] == std::set<unsigned int>{number};
+          if (!groups[g].name.empty() || !is_its_number)
+            for (const unsigned int id : ids[g])
+              mesh.boundary_names.emplace(id, name_or_number(groups[g]));
+          if (!groups[g].name.empty() && number > 0 && ids[g].size() > 1)
+            with_two_meanings.push_back(std::to_string(number) + " ('" +
+                                        groups[g].name + "')");
+        }
+      if (!with_two_meanings.empty())
+        mesh.warnings.push_back(
+          mesh.name +
+          ": there are groups of the boundary that overlap. Sides of several "
+          "have an id of their own and all names; the numbers " +
+          join_some(with_two_meanings) +
+          " mean the sides of one group only, the names all of its sides.");
+    }
+
     std::string
     word_of_sides(const MeshDescription &mesh)
     {
       return dimension(mesh.cell_kind) == 2 ? "edges" : "faces";
+    }
+
+    // @p is_used tells which have sides on the boundary.
+    void
+    note_sides_elsewhere(MeshDescription &mesh,
+                         const std::vector<BoundaryGroup> &groups,
+                         const Membership &membership,
+                         std::vector<Side> boundary,
+                         const std::vector<bool> &is_used)
+    {
+      std::sort(boundary.begin(), boundary.end());
+      std::vector<bool> is_inside;
+      if (std::find(is_used.begin(), is_used.end(), false) != is_used.end())
+        is_inside = groups_inside(mesh, membership);
+      is_inside.resize(groups.size(), false);
+      const std::string where = "inside the body or on no cell";
+      std::vector<std::string> counts;
+      for (unsigned int g = 0; g < groups.size(); ++g)
+        {
+          const BoundaryGroup &group = groups[g];
+          const std::size_t n_elsewhere =
+            group.n_sides_without_cell +
+            std::count_if(group.sides.begin(),
+                          group.sides.end(),
+                          [&](const Side &side) {
+                            return !std::binary_search(boundary.begin(),
+                                                       boundary.end(),
+                                                       side);
+                          });
+          if (!is_used[g])
+            mesh.unused_boundary_names[name_or_number(group)] =
+              n_elsewhere > 0 || is_inside[g]
+                ? "lies " + where
+                : "holds no whole " +
+                    std::string(dimension(mesh.cell_kind) == 2 ? "edge"
+                                                               : "face") +
+                    " of a cell";
+          if (n_elsewhere > 0)
+            counts.push_back(std::to_string(n_elsewhere) + " of '" +
+                             name_or_number(group) + '\'');
+        }
+      if (!counts.empty())
+        mesh.warnings.push_back(
+          mesh.name + ": " + word_of_sides(mesh) + " that lie " + where +
+          ", not on the boundary, are left out: " + join_some(counts) + '.');
     }
   } // namespace
 
@@ -126,71 +218,35 @@ namespace springfit
                         const std::vector<BoundaryGroup> &groups)
   {
     const Membership membership(mesh, groups);
-    std::vector<Side> boundary = boundary_sides(mesh);
-    std::map<Groups, unsigned int> ids;
+    const std::vector<Side> boundary = boundary_sides(mesh);
+    IdOfGroups id_of_groups          = {{Groups(), 0}};
     std::vector<Groups> groups_of_side;
     for (const Side &side : boundary)
       {
         groups_of_side.push_back(membership.of(side));
-        ids.emplace(groups_of_side.back(), 0);
+        id_of_groups.emplace(groups_of_side.back(), 0);
       }
-    ids.emplace(Groups(), 0);
-
-    give_ids(ids, groups);
-    std::vector<bool> is_used(groups.size(), false);
-    mesh.boundary_names.clear();
-    for (const auto &[members, id] : ids)
-      {
-        for (const unsigned int g : members)
-          {
-            is_used[g] = true;
-            mesh.boundary_names.emplace(id, groups[g].name);
-          }
-      }
+    give_ids(id_of_groups, groups);
+    const auto ids = ids_of_groups(id_of_groups, groups.size());
+    name_ids(mesh, groups, ids);
 
     mesh.facets.clear();
     std::size_t n_without = 0;
     for (std::size_t s = 0; s < boundary.size(); ++s)
       {
-        const unsigned int id = ids.at(groups_of_side[s]);
+        const unsigned int id = id_of_groups.at(groups_of_side[s]);
         n_without += id == 0 ? 1 : 0;
         mesh.facets.push_back({boundary[s], id});
       }
-    if (n_without > 0 && ids.size() > 1)
+    if (n_without > 0 && !groups.empty())
       mesh.warnings.push_back(mesh.name + ": " + std::to_string(n_without) +
                               " of " + std::to_string(boundary.size()) +
                               " boundary " + word_of_sides(mesh) +
-                              " belong to no set; their boundary id is 0.");
+                              " belong to no group; their boundary id is 0.");
 
-    std::sort(boundary.begin(), boundary.end());
-    std::vector<bool> is_inside;
-    if (std::find(is_used.begin(), is_used.end(), false) != is_used.end())
-      is_inside = groups_inside(mesh, membership);
-    is_inside.resize(groups.size(), false);
-    for (unsigned int g = 0; g < groups.size(); ++g)
-      {
-        const auto n_inside =
-          std::count_if(groups[g].sides.begin(),
-                        groups[g].sides.end(),
-                        [&](const Side &side) {
-                          return !std::binary_search(boundary.begin(),
-                                                     boundary.end(),
-                                                     side);
-                        });
-        if (!is_used[g])
-          mesh.unused_boundary_names[groups[g].name] =
-            n_inside > 0 || is_inside[g]
-              ? "lies inside the body"
-              : "holds no whole " +
-                  std::string(dimension(mesh.cell_kind) == 2 ? "edge"
-                                                             : "face") +
-                  " of a cell";
-        else if (n_inside > 0)
-          mesh.warnings.push_back(
-            mesh.name + ": " + std::to_string(n_inside) + " of the " +
-            std::to_string(groups[g].sides.size()) + ' ' + word_of_sides(mesh) +
-            " of '" + groups[g].name +
-            "' lie inside the body, not on its boundary, and are left out.");
-      }
+    std::vector<bool> is_used;
+    for (const auto &ids_of_group : ids)
+      is_used.push_back(!ids_of_group.empty());
+    note_sides_elsewhere(mesh, groups, membership, boundary, is_used);
   }
 } // namespace springfit

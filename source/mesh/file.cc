@@ -135,7 +135,10 @@ namespace springfit
         };
       if (ending == ".unv")
         return [](const ObjectRequest &request) {
-          return read_unv_file(request.file, name_of(request), request.dim);
+          return read_unv_file(request.file,
+                               name_of(request),
+                               request.dim,
+                               request.scale);
         };
       if (ending == ".bdf" || ending == ".nas")
         return [](const ObjectRequest &request) {
@@ -280,7 +283,7 @@ namespace springfit
   {
     check_file_is_readable(request);
     check_format(request.file, name_of(request));
-    if (may_be_script(request.file))
+    if (is_geo_script(request.file))
       check_geo_script(request.file);
     const IsolatedWork reading =
       run_isolated(limits_for(request.file), [&]() { return answer(request); });

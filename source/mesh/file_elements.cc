@@ -1,12 +1,12 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
-#include <springfit/mesh/facets.h>
+#include <springfit/mesh/boundary_groups.h>
 #include <springfit/mesh/file_elements.h>
 #include <springfit/mesh/mesh_checks.h>
 #include <springfit/mesh/vertex_order.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace springfit
@@ -60,6 +60,22 @@ namespace springfit
                          "Use cells of first order with straight edges: " +
                            join(words_of(cell_kind_words())) + '.');
       return *cells.front();
+    }
+
+    void
+    count_others(const std::string &name,
+                 const int dim,
+                 const std::vector<FileElements> &elements,
+                 MeshDescription &mesh)
+    {
+      std::vector<std::string> found;
+      for (int d = 0; d < dim - 1; ++d)
+        if (const std::string of_dim = found_in(elements, d); !of_dim.empty())
+          found.push_back(of_dim);
+      if (!found.empty())
+        mesh.warnings.push_back(
+          name + ": elements that are neither cells nor sides are left out: " +
+          join(found) + '.');
     }
 
     using VertexOfNode = std::vector<std::optional<unsigned int>>;
@@ -120,6 +136,7 @@ namespace springfit
       for (const unsigned int i : order)
         mesh.cells.push_back(*vertices[cells.nodes[c * order.size() + i]]);
     check_no_duplicate_cells(mesh); // or sides would have three
+    count_others(name, dim, elements, mesh);
     return {std::move(mesh), vertices};
   }
 
@@ -127,12 +144,8 @@ namespace springfit
   void
   label_sides(MeshOfElements &result, const std::vector<FileElements> &elements)
   {
-    MeshDescription &mesh = result.mesh;
-    const int dim         = dimension(mesh.cell_kind);
-    auto boundary         = boundary_sides(mesh);
-    std::sort(boundary.begin(), boundary.end());
-    std::size_t n_inside = 0;
-    std::set<unsigned int> on_boundary, inside;
+    const int dim = dimension(result.mesh.cell_kind);
+    std::map<unsigned int, BoundaryGroup> groups;
     for (const FileElements &of_type : elements)
       for (std::size_t e = 0;
            of_type.dim == dim - 1 && e < of_type.numbers.size();
@@ -144,34 +157,19 @@ namespace springfit
                   result.vertex_of_node[of_type.nodes[e * of_type.n_nodes + i]])
               side.push_back(*vertex);
           std::sort(side.begin(), side.end());
-          if (side.size() == of_type.n_nodes &&
-              std::binary_search(boundary.begin(), boundary.end(), side))
-            {
-              mesh.facets.push_back({side, of_type.ids[e]});
-              on_boundary.insert(of_type.ids[e]);
-            }
+          BoundaryGroup &group = groups[of_type.ids[e]];
+          if (side.size() == of_type.n_nodes)
+            group.sides.push_back(side);
           else
-            {
-              ++n_inside;
-              inside.insert(of_type.ids[e]);
-            }
+            ++group.n_sides_without_cell;
         }
-    for (const unsigned int id : inside)
-      if (on_boundary.count(id) == 0)
-        mesh.unused_boundary_names[std::to_string(id)] =
-          "lies inside the body or on no cell";
-    if (n_inside > 0)
-      mesh.warnings.push_back(
-        mesh.name + ": " + std::to_string(n_inside) +
-        (dim == 2 ? " edges" : " faces") +
-        " of the file lie inside the body or on no cell, not on the "
-        "boundary, and are left out.");
-    if (!mesh.facets.empty() && mesh.facets.size() < boundary.size())
-      mesh.warnings.push_back(
-        mesh.name + ": " +
-        std::to_string(boundary.size() - mesh.facets.size()) + " of " +
-        std::to_string(boundary.size()) + " boundary " +
-        (dim == 2 ? "edges" : "faces") +
-        " are not in the file; their boundary id is 0.");
+    groups.erase(0); // as the sides that the file does not list
+    std::vector<BoundaryGroup> all;
+    for (auto &[id, group] : groups)
+      {
+        group.number = id;
+        all.push_back(std::move(group));
+      }
+    label_boundary_groups(result.mesh, all);
   }
 } // namespace springfit

@@ -1,4 +1,5 @@
 #include <springfit/core/error.h>
+#include <springfit/mesh/file_contents.h>
 #include <springfit/mesh/file_formats.h>
 
 #include <algorithm>
@@ -22,6 +23,10 @@ namespace springfit
     const std::string fill_stl =
       "Fill it: write a file mesh.geo with the lines 'Merge \"mesh.stl\"; "
       "Surface Loop(1) = {1}; Volume(1) = {1};' and give that.";
+
+    const ForeignFormat ls_dyna = {
+      "a deck of LS-DYNA",
+      "Save it as an Abaqus (.inp) or Nastran (.bdf) file where it comes from."};
 
     const std::map<std::string, ForeignFormat> &
     foreign_formats()
@@ -63,10 +68,57 @@ namespace springfit
         {".vol", {"a mesh of Netgen", meshio + "mesh.vol mesh.vtk."}},
         {".meshb",
          {"a binary file of Medit", "Save it as text, with the ending .mesh."}},
+        {".med",
+         {"a MED file of Salome",
+          meshio + "mesh.med mesh.vtk; or save it in Salome as .unv."}},
+        {".cgns", {"a CGNS file", meshio + "mesh.cgns mesh.vtk."}},
+        {".h5",
+         {"an HDF5 file, as those of MED, CGNS and Exodus are",
+          meshio + "mesh.med mesh.vtk, with the ending that tells which."}},
+        {".su2", {"a mesh of SU2", meshio + "mesh.su2 mesh.vtk."}},
+        {".k", ls_dyna},
+        {".key", ls_dyna},
+        {".cas",
+         {"a mesh of Fluent",
+          meshio + "--input-format ansys mesh.msh mesh.vtk."}},
         {".gz", {"packed", "Unpack it: gunzip."}},
         {".zip", {"packed", "Unpack it: unzip."}},
+        {"git-lfs",
+         {"a pointer of Git LFS that stands for a file",
+          "Fetch the file itself: git lfs pull."}},
         {".prm", {"a parameter file", "Name a mesh file."}}};
       return formats;
+    }
+
+    /** What each ending that is read means, as ending_by_content() has it. */
+    const std::map<std::string, std::string> &
+    known_endings()
+    {
+      static const std::map<std::string, std::string> endings = {
+        {".bdf", ".bdf"},
+        {".brep", ".brep"},
+        {".geo", ".geo"},
+        {".iges", ".igs"},
+        {".igs", ".igs"},
+        {".inp", ".inp"},
+        {".mesh", ".mesh"},
+        {".msh", ".msh"},
+        {".nas", ".bdf"},
+        {".step", ".step"},
+        {".stp", ".step"},
+        {".unv", ".unv"},
+        {".vtk", ".vtk"}};
+      return endings;
+    }
+
+    void
+    refuse_foreign(const std::string &ending, const std::string &name)
+    {
+      const auto foreign = foreign_formats().find(ending);
+      if (foreign != foreign_formats().end())
+        throw InputError(name + " is " + foreign->second.what +
+                           ", which springfit does not read.",
+                         foreign->second.mend);
     }
   } // namespace
 
@@ -84,21 +136,9 @@ namespace springfit
 
 
   bool
-  may_be_script(const std::filesystem::path &file)
+  is_geo_script(const std::filesystem::path &file)
   {
-    static const std::set<std::string> others = {".bdf",
-                                                 ".brep",
-                                                 ".iges",
-                                                 ".igs",
-                                                 ".inp",
-                                                 ".mesh",
-                                                 ".msh",
-                                                 ".nas",
-                                                 ".step",
-                                                 ".stp",
-                                                 ".unv",
-                                                 ".vtk"};
-    return others.count(ending_of(file)) == 0;
+    return ending_of(file) == ".geo";
   }
 
 
@@ -122,11 +162,27 @@ namespace springfit
   void
   check_format(const std::filesystem::path &file, const std::string &name)
   {
-    const auto foreign = foreign_formats().find(ending_of(file));
-    if (foreign != foreign_formats().end())
-      throw InputError(name + " is " + foreign->second.what +
-                         ", which springfit does not read.",
-                       foreign->second.mend);
+    const std::string ending  = ending_of(file);
+    const std::string content = ending_by_content(file);
+    const auto known          = known_endings().find(ending);
+    const bool is_known       = known != known_endings().end();
+    if (is_known && known->second == content)
+      return;
+    if (known_endings().count(content) > 0)
+      throw InputError(name + " begins as a " + content +
+                         " file does, which its ending does not say.",
+                       "Give it the ending " + content + '.');
+    refuse_foreign(ending, name);
+    refuse_foreign(content, name);
+    if (!is_known)
+      throw InputError(name + " is of no format that springfit knows.",
+                       mend_format());
+    if (ending == ".msh")
+      throw InputError(name + " does not begin with $MeshFormat, as those of "
+                              "gmsh do.",
+                       "If it is one, remove what stands before, even blanks "
+                       "and a mark of byte order. " +
+                         mend_format());
   }
 
 

@@ -221,13 +221,14 @@ namespace springfit
 
     // gmsh forgets the names of groups that have no elements.
     void
-    note_empty_groups(const ObjectRequest &request, MeshDescription &mesh)
+    note_empty_groups(const std::vector<MshName> &names, MeshDescription &mesh)
     {
+      const int dim_of_cells = dimension(mesh.cell_kind);
       std::vector<std::string> empty;
-      for (const auto &[dim, name] : names_in_msh(request.file))
+      for (const auto &[dim, number, name] : names)
         {
-          const bool is_of_cells = dim == request.dim;
-          if (!is_of_cells && dim != request.dim - 1)
+          const bool is_of_cells = dim == dim_of_cells;
+          if (!is_of_cells && dim != dim_of_cells - 1)
             continue;
           auto &unused = is_of_cells ? mesh.unused_material_names
                                      : mesh.unused_boundary_names;
@@ -244,27 +245,38 @@ namespace springfit
           " names groups that hold no elements: " + join_some(empty) + '.');
     }
 
-    // gmsh knows some endings in small letters only.
+    // By another name, since gmsh knows some endings in small letters only, and
+    // runs the file mesh.msh.opt that may stand beside mesh.msh. The files that
+    // a script names are sought beside it.
     void
     open(const std::filesystem::path &file, const int dim)
     {
-      const std::string small = ending_of(file);
-      if (file.extension() == small || may_be_script(file))
+      if (is_geo_script(file))
         return open_with_groups(file, dim);
-      const auto link = std::filesystem::temp_directory_path() /
-                        ("springfit_" + std::to_string(::getpid()) + small);
+      const auto link =
+        std::filesystem::temp_directory_path() /
+        ("springfit_" + std::to_string(::getpid()) + ending_of(file));
       std::filesystem::remove(link);
       std::filesystem::create_symlink(std::filesystem::absolute(file), link);
+      const auto remove = [&link]() { std::filesystem::remove(link); };
       try
         {
           open_with_groups(link, dim);
         }
-      catch (...)
+      catch (std::string &complaint)
         {
-          std::filesystem::remove(link);
+          remove();
+          if (const auto at = complaint.find(link.string());
+              at != std::string::npos)
+            complaint.replace(at, link.string().size(), file.string());
           throw;
         }
-      std::filesystem::remove(link);
+      catch (...)
+        {
+          remove();
+          throw;
+        }
+      remove();
     }
 
     MeshDescription
@@ -288,13 +300,15 @@ namespace springfit
 
       GmshCells cells = read_gmsh_cells(name, request.dim);
       check_no_duplicate_cells(cells.mesh); // or sides would have three
-      read_materials(cells);
-      read_boundaries(cells);
+      const auto names = ending_of(request.file) == ".msh"
+                           ? names_in_msh(request.file)
+                           : std::vector<MshName>();
+      read_materials(cells, names);
+      read_boundaries(cells, names);
       MeshDescription &mesh = cells.mesh;
       if (announced)
         count_unused_nodes(*announced, mesh);
-      if (ending_of(request.file) == ".msh")
-        note_empty_groups(request, mesh);
+      note_empty_groups(names, mesh);
       if (states_its_unit(request.file) && request.scale != 1.)
         mesh.warnings.push_back(
           name + " states the unit of its lengths, which are taken in m and "

@@ -134,9 +134,9 @@ namespace springfit
                                    "before the cells.");
                 of_type.nodes.push_back(node - 1);
               }
-            // Negative references mark sides of one orientation.
+            const long id = tokens_.integer("the reference of " + what);
             of_type.ids.push_back(
-              std::abs(tokens_.integer("the reference of " + what)));
+              checked_id(id, "the reference", tokens_.place()));
             of_type.numbers.push_back(of_type.numbers.size() + 1);
           }
       }

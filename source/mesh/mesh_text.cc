@@ -155,6 +155,20 @@ namespace springfit
   }
 
 
+  unsigned int
+  checked_id(const long number, const std::string &what, const TextPlace &place)
+  {
+    constexpr long largest = 2147483647;
+    if (number < 0 || number > largest)
+      throw text_error(place,
+                       what + ' ' + std::to_string(number) +
+                         " is no id, which is from 0 to " +
+                         std::to_string(largest),
+                       "Number materials and boundaries otherwise.");
+    return number;
+  }
+
+
   std::string
   join_some(const std::vector<std::string> &words, const unsigned int n_named)
   {

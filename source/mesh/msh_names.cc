@@ -23,7 +23,8 @@ namespace springfit
         int dim, number;
         const auto begin = line.find('"'), end = line.rfind('"');
         if (words >> dim >> number && begin < end)
-          names.push_back({dim, line.substr(begin + 1, end - begin - 1)});
+          names.push_back(
+            {dim, number, line.substr(begin + 1, end - begin - 1)});
       }
     return names;
   }

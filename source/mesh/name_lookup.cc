@@ -158,7 +158,11 @@ namespace springfit
     const auto by_name = ids_by_name(known, name);
     const auto by_number =
       is_quoted(word) ? std::set<unsigned int>() : ids_by_number(known, word);
-    if (!by_name.empty() && !by_number.empty() && by_name != by_number)
+    const bool is_all_of_that_name = std::includes(by_name.begin(),
+                                                   by_name.end(),
+                                                   by_number.begin(),
+                                                   by_number.end());
+    if (!by_name.empty() && !is_all_of_that_name)
       throw EntryError(entry,
                        "'" + word + "' is the number of one " + what +
                          " and the name of another.",

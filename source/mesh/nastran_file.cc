@@ -48,18 +48,33 @@ namespace springfit
       return types;
     }
 
-    // Elements of no area and no volume, and what draws lines.
+    // Elements of no area and no volume, what draws lines, and what conducts
+    // heat on the sides of others.
     bool
     is_shapeless(const std::string &name)
     {
       static const std::set<std::string> names = {
-        "CBAR",    "CBARAO", "CBEAM",  "CBEAM3", "CBEND",  "CBUSH",
-        "CBUSH1D", "CDAMP1", "CDAMP2", "CDAMP3", "CDAMP4", "CDAMP5",
-        "CELAS1",  "CELAS2", "CELAS3", "CELAS4", "CFAST",  "CGAP",
-        "CMASS1",  "CMASS2", "CMASS3", "CMASS4", "CONM1",  "CONM2",
-        "CONROD",  "CROD",   "CTUBE",  "CVISC",  "CWELD",  "PLOTEL",
-        "RBAR",    "RBE1",   "RBE2",   "RBE3",   "RROD",   "RSPLINE"};
+        "CBAR",   "CBARAO", "CBEAM",  "CBEAM3", "CBEND",   "CBUSH",  "CBUSH1D",
+        "CDAMP1", "CDAMP2", "CDAMP3", "CDAMP4", "CDAMP5",  "CELAS1", "CELAS2",
+        "CELAS3", "CELAS4", "CFAST",  "CGAP",   "CBUSH2D", "CHBDYE", "CHBDYG",
+        "CHBDYP", "CINTC",  "CMASS1", "CMASS2", "CMASS3",  "CMASS4", "CONM1",
+        "CONM2",  "CONROD", "CROD",   "CSEAM",  "CTUBE",   "CVISC",  "CWELD",
+        "GENEL",  "PLOTEL", "RBAR",   "RBE1",   "RBE2",    "RBE3",   "RJOINT",
+        "RROD",   "RSPLINE"};
       return names.count(name) > 0;
+    }
+
+    // Names of elements begin with a C, as these do.
+    bool
+    is_element(const std::string &name)
+    {
+      static const std::set<std::string> others = {
+        "CAERO1",  "CAERO2",  "CAERO3", "CAERO4", "CAERO5",  "CAERO7", "CLOAD",
+        "CMETHOD", "CONTRLT", "CONV",   "CONVM",  "CORD1C",  "CORD1R", "CORD1S",
+        "CORD2C",  "CORD2R",  "CORD2S", "CORD3G", "CORD3R",  "CREEP",  "CSCHD",
+        "CSET",    "CSET1",   "CSSCHD", "CSUPER", "CSUPEXT", "CYAX",   "CYJOIN",
+        "CYSUP",   "CYSYM",   "CNGRNT", "CSPOT",  "CAMPBLL"};
+      return name[0] == 'C' && others.count(name) == 0;
     }
 
     bool
@@ -81,6 +96,10 @@ namespace springfit
               throw text_error(card.place,
                                "springfit does not follow INCLUDE",
                                "Put the file in its place.");
+            if (card.name[0] == '=')
+              throw text_error(card.place,
+                               "springfit does not repeat cards ('=')",
+                               "Write each card out.");
             if (card.name == "GRDSET")
               default_system_ = card.field(1);
           }
@@ -92,6 +111,13 @@ namespace springfit
             add_element(card, type->second);
           else if (is_shapeless(card.name))
             ++n_shapeless[card.name];
+          else if (is_element(card.name))
+            throw text_error(card.place,
+                             "the element type '" + card.name +
+                               "' is not known",
+                             "Cells may be CTRIA3, CTRIAR, CQUAD4, CQUADR, "
+                             "CSHEAR, CTETRA or CHEXA; remove what is no part "
+                             "of the mesh.");
           else if (card.name != "GRDSET")
             ignored.insert(card.name);
       }
@@ -153,12 +179,9 @@ namespace springfit
         const std::string text = card.field(1);
         if (text.empty() || text == "0")
           return 0;
-        const auto id = read_label(text, card.place);
-        if (id > 2147483647)
-          throw text_error(card.place,
-                           "the property " + text +
-                             " of an element is above 2147483647");
-        return id;
+        return checked_id(read_label(text, card.place),
+                          "the property",
+                          card.place);
       }
 
       std::string default_system_;

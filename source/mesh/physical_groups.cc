@@ -1,14 +1,16 @@
-#include <springfit/mesh/facets.h>
+#include <springfit/core/words.h>
+#include <springfit/mesh/boundary_groups.h>
+#include <springfit/mesh/msh_head.h>
 #include <springfit/mesh/physical_groups.h>
 
 #include <gmsh.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace springfit
 {
@@ -76,11 +78,42 @@ namespace springfit
     bool
     states_groups_by_element(const std::filesystem::path &file)
     {
-      std::ifstream stream(file);
-      std::string first, version;
-      stream >> first >> version;
-      return first == "$NOD" ||
-             (first == "$MeshFormat" && version.substr(0, 1) == "2");
+      const std::string version = read_msh_head(file).version;
+      return version.substr(0, 1) == "1" || version.substr(0, 1) == "2";
+    }
+
+    /** By their dimension and number, without sign. */
+    using GroupNames = std::map<std::pair<int, unsigned int>, std::string>;
+
+    /** The dimension and number of each group that has elements. */
+    std::set<std::pair<int, unsigned int>>
+    groups_with_elements()
+    {
+      std::set<std::pair<int, unsigned int>> groups;
+      for (int dim = 0; dim <= 3; ++dim)
+        for (const int entity : entities_with_elements(dim))
+          for (const unsigned int id : physical_ids(dim, entity))
+            groups.emplace(dim, id);
+      return groups;
+    }
+
+    GroupNames
+    names_of_groups(const std::vector<MshName> &in_file)
+    {
+      const auto groups = groups_with_elements();
+      GroupNames names;
+      for (const auto &[dim, id] : groups)
+        for (const int number : {static_cast<int>(id), -static_cast<int>(id)})
+          {
+            std::string name;
+            gmsh::model::getPhysicalName(dim, number, name);
+            if (!name.empty())
+              names.emplace(std::make_pair(dim, id), name);
+          }
+      for (const auto &[dim, number, name] : in_file)
+        if (groups.count({dim, std::abs(number)}) > 0)
+          names.emplace(std::make_pair(dim, std::abs(number)), name);
+      return names;
     }
 
     std::string
@@ -89,10 +122,10 @@ namespace springfit
       return dim == 1 ? "curve" : dim == 2 ? "surface" : "volume";
     }
 
-    /** The id of each entity of dimension @p dim that has elements. */
+    /** The ids of each entity of dimension @p dim that has elements. */
     struct Ids
     {
-      std::map<int, unsigned int> of_entity;
+      std::map<int, std::set<unsigned int>> of_entity; // may be empty
       bool are_physical; // else gmsh's own numbers
     };
 
@@ -101,49 +134,27 @@ namespace springfit
     {
       const auto entities = entities_with_elements(dim);
       Ids ids;
-      ids.are_physical =
-        std::any_of(entities.begin(), entities.end(), [&](const int entity) {
-          return !physical_ids(dim, entity).empty();
-        });
       for (const int entity : entities)
-        {
-          const auto physical = physical_ids(dim, entity);
-          if (!physical.empty())
-            ids.of_entity[entity] = *physical.begin();
-          else if (ids.are_physical || entities.size() < 2)
-            ids.of_entity[entity] = 0;
-          else
-            ids.of_entity[entity] = std::abs(entity);
-
-          if (physical.size() > 1)
-            {
-              std::vector<std::string> all;
-              for (const unsigned int id : physical)
-                all.push_back(std::to_string(id));
-              mesh.warnings.push_back(
-                mesh.name + ": " + word_of_dimension(dim) + ' ' +
-                std::to_string(entity) + " belongs to the physical groups " +
-                join(all) + "; it is taken for " + all.front() + ".");
-            }
-        }
-      if (!ids.are_physical && entities.size() > 1)
-        mesh.warnings.push_back(mesh.name + " has no physical groups of " +
-                                word_of_dimension(dim) +
-                                "s; the numbers of its " +
-                                word_of_dimension(dim) + "s serve as ids.");
+        ids.of_entity[entity] = physical_ids(dim, entity);
+      ids.are_physical = std::any_of(ids.of_entity.begin(),
+                                     ids.of_entity.end(),
+                                     [](const auto &of_entity) {
+                                       return !of_entity.second.empty();
+                                     });
+      if (ids.are_physical || entities.size() < 2)
+        return ids;
+      for (const int entity : entities)
+        ids.of_entity[entity] = {unsigned(std::abs(entity))};
+      mesh.warnings.push_back(
+        mesh.name + " has no physical groups of " + word_of_dimension(dim) +
+        "s; the numbers of its " + word_of_dimension(dim) + "s serve as ids.");
       return ids;
     }
 
-    using IdOfSide = std::map<std::vector<unsigned int>, unsigned int>;
-
-    // Sides by their vertices in ascending order; those with a vertex that no
-    // cell has are left out. Of several ids of a side, the lowest counts.
+    // Sides of @p entity whose vertices all belong to cells, and how many
+    // others it has.
     void
-    add_sides(IdOfSide &id_of_side,
-              const GmshCells &cells,
-              const int entity,
-              const unsigned int id,
-              unsigned int &n_ambiguous)
+    add_sides(BoundaryGroup &group, const GmshCells &cells, const int entity)
     {
       const int dim = dimension(cells.mesh.cell_kind) - 1;
       std::vector<int> types;
@@ -163,70 +174,22 @@ namespace springfit
                   if (vertex != cells.vertex_of_node.end())
                     side.push_back(vertex->second);
                 }
-              if (side.size() < n)
-                continue;
               std::sort(side.begin(), side.end());
-              const auto [old, is_new] = id_of_side.emplace(side, id);
-              if (!is_new && old->second != id)
-                {
-                  old->second = std::min(old->second, id);
-                  ++n_ambiguous;
-                }
+              if (side.size() == n)
+                group.sides.push_back(side);
+              else
+                ++group.n_sides_without_cell;
             }
         }
     }
 
-    std::string
-    name_of_group(const int dim, const int tag)
-    {
-      std::string name;
-      gmsh::model::getPhysicalName(dim, tag, name);
-      return name.empty() ? std::to_string(std::abs(tag)) : name;
-    }
-
-    // @p rest are the sides that are not on the boundary, @p found the ids that
-    // are.
     void
-    note_sides_elsewhere(const IdOfSide &rest,
-                         const std::set<unsigned int> &found,
-                         MeshDescription &mesh)
-    {
-      const int dim = dimension(mesh.cell_kind) - 1;
-      std::map<unsigned int, std::size_t> n_elsewhere;
-      for (const auto &[side, id] : rest)
-        ++n_elsewhere[id];
-      gmsh::vectorpair groups;
-      gmsh::model::getPhysicalGroups(groups, dim);
-      for (const auto &[group_dim, tag] : groups)
-        {
-          const unsigned int id   = std::abs(tag);
-          const std::string name  = name_of_group(dim, tag);
-          const bool is_elsewhere = n_elsewhere.count(id) > 0;
-          if (found.count(id) == 0)
-            mesh.unused_boundary_names[name] =
-              is_elsewhere ? "lies inside the body or on no cell"
-                           : "holds no side of a cell";
-          else if (is_elsewhere)
-            mesh.warnings.push_back(
-              mesh.name + ": " + std::to_string(n_elsewhere.at(id)) +
-              (dim == 1 ? " edges" : " faces") + " of '" + name +
-              "' lie inside the body or on no cell, not on the boundary, and "
-              "are left out.");
-        }
-    }
-
-    void
-    note_other_groups(MeshDescription &mesh)
+    note_other_groups(MeshDescription &mesh, const GroupNames &names)
     {
       const int dim = dimension(mesh.cell_kind);
-      gmsh::vectorpair groups;
-      gmsh::model::getPhysicalGroups(groups);
-      for (const auto &[group_dim, tag] : groups)
+      for (const auto &[group, name] : names)
         {
-          std::string name;
-          gmsh::model::getPhysicalName(group_dim, tag, name);
-          if (name.empty())
-            continue;
+          const int group_dim = group.first;
           if (group_dim == dim)
             mesh.unused_boundary_names.emplace(name, "is a group of cells");
           else
@@ -238,20 +201,23 @@ namespace springfit
         }
     }
 
-    // gmsh gives a reversed group the negative of its number.
-    std::multimap<unsigned int, std::string>
-    names_of_ids(const int dim, const std::set<unsigned int> &ids)
+    /** The id of the material of an entity; cells have one of several. */
+    unsigned int
+    material_id(const int entity,
+                const std::set<unsigned int> &ids,
+                MeshDescription &mesh)
     {
-      std::multimap<unsigned int, std::string> names;
-      for (const unsigned int id : ids)
-        for (const int tag : {-static_cast<int>(id), static_cast<int>(id)})
-          {
-            std::string name;
-            gmsh::model::getPhysicalName(dim, tag, name);
-            if (!name.empty())
-              names.emplace(id, name);
-          }
-      return names;
+      if (ids.size() > 1)
+        {
+          std::vector<std::string> all;
+          for (const unsigned int id : ids)
+            all.push_back(std::to_string(id));
+          mesh.warnings.push_back(
+            mesh.name + ": " + word_of_dimension(dimension(mesh.cell_kind)) +
+            ' ' + std::to_string(entity) + " belongs to the physical groups " +
+            join(all) + "; it is taken for " + all.front() + ".");
+        }
+      return ids.empty() ? 0 : *ids.begin();
     }
   } // namespace
 
@@ -270,16 +236,20 @@ namespace springfit
 
 
   void
-  read_materials(GmshCells &cells)
+  read_materials(GmshCells &cells, const std::vector<MshName> &names)
   {
     MeshDescription &mesh = cells.mesh;
     const int dim         = dimension(mesh.cell_kind);
     const Ids ids         = entity_ids(dim, mesh);
+    std::map<int, unsigned int> id_of_entity;
+    for (const auto &[entity, of_entity] : ids.of_entity)
+      id_of_entity[entity] = material_id(entity, of_entity, mesh);
+
     std::set<unsigned int> found;
     unsigned int n_without = 0;
     for (unsigned int g = 0; g < mesh.group_begins.size(); ++g)
       {
-        const auto id          = ids.of_entity.at(cells.entities[g]);
+        const auto id          = id_of_entity.at(cells.entities[g]);
         const unsigned int end = g + 1 < mesh.group_begins.size()
                                    ? mesh.group_begins[g + 1]
                                    : mesh.n_cells();
@@ -289,8 +259,12 @@ namespace springfit
         found.insert(id);
         n_without += id == 0 ? end - mesh.group_begins[g] : 0;
       }
-    if (ids.are_physical)
-      mesh.material_names = names_of_ids(dim, found);
+    for (const auto &[group, name] : names_of_groups(names))
+      if (group.first == dim && found.count(group.second) > 0)
+        mesh.material_names.emplace(group.second, name);
+      else if (group.first == dim)
+        mesh.unused_material_names[name] =
+          "holds only cells of groups with a lower number";
     if (ids.are_physical && n_without > 0)
       mesh.warnings.push_back(mesh.name + ": " + std::to_string(n_without) +
                               " cells belong to no physical " +
@@ -300,47 +274,25 @@ namespace springfit
 
 
   void
-  read_boundaries(GmshCells &cells)
+  read_boundaries(GmshCells &cells, const std::vector<MshName> &names)
   {
     MeshDescription &mesh = cells.mesh;
     const int dim         = dimension(mesh.cell_kind) - 1;
-    const Ids ids         = entity_ids(dim, mesh);
-    IdOfSide id_of_side;
-    unsigned int n_ambiguous = 0;
-    for (const auto &[entity, id] : ids.of_entity)
-      if (id > 0)
-        add_sides(id_of_side, cells, entity, id, n_ambiguous);
+    const auto all_names  = names_of_groups(names);
+    std::map<unsigned int, BoundaryGroup> groups;
+    for (const auto &[entity, ids] : entity_ids(dim, mesh).of_entity)
+      for (const unsigned int id : ids)
+        add_sides(groups[id], cells, entity);
 
-    std::set<unsigned int> found;
-    unsigned int n_without = 0;
-    mesh.facets.clear();
-    for (auto &side : boundary_sides(mesh))
+    std::vector<BoundaryGroup> all;
+    for (auto &[id, group] : groups)
       {
-        const auto known = id_of_side.find(side);
-        const auto id    = known == id_of_side.end() ? 0 : known->second;
-        if (known != id_of_side.end())
-          id_of_side.erase(known);
-        found.insert(id);
-        n_without += id == 0 ? 1 : 0;
-        mesh.facets.push_back({std::move(side), id});
+        const auto name = all_names.find({dim, id});
+        group.number    = id;
+        group.name      = name == all_names.end() ? "" : name->second;
+        all.push_back(std::move(group));
       }
-
-    if (ids.are_physical)
-      {
-        mesh.boundary_names = names_of_ids(dim, found);
-        note_sides_elsewhere(id_of_side, found, mesh);
-      }
-    note_other_groups(mesh);
-    if (n_ambiguous > 0)
-      mesh.warnings.push_back(mesh.name + ": " + std::to_string(n_ambiguous) +
-                              " sides belong to several physical " +
-                              word_of_dimension(dim) +
-                              "s; the lowest number counts.");
-    if (n_without > 0)
-      mesh.warnings.push_back(
-        mesh.name + ": " + std::to_string(n_without) + " of " +
-        std::to_string(mesh.facets.size()) + " boundary " +
-        (dim == 1 ? "edges" : "faces") + " belong to no physical " +
-        word_of_dimension(dim) + "; their boundary id is 0.");
+    label_boundary_groups(mesh, all);
+    note_other_groups(mesh, all_names);
   }
 } // namespace springfit

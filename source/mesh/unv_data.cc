@@ -1,5 +1,6 @@
 #include <springfit/mesh/unv_data.h>
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 #include <system_error>
@@ -99,11 +100,13 @@ namespace springfit
       {
         static const std::set<std::string> of_groups = {
           "2417", "2429", "2430", "2432", "2435", "2452", "2467", "2477"};
+        static const std::set<std::string> without_mesh = {"151", "164"};
         const bool has_nodes    = number == "2411" || number == "781";
         const bool has_elements = number == "2412" || number == "780";
         const bool has_bins     = number == "780";
         const bool has_systems  = number == "2420";
         const bool has_groups   = of_groups.count(number) > 0;
+        unsigned int n_lines    = 0;
         if (has_systems && !ends())
           {
             line("the number of a part");
@@ -112,6 +115,8 @@ namespace springfit
         while (!ends())
           if (has_nodes)
             read_node();
+          else if (number == "15")
+            read_node_of_one_line();
           else if (has_elements)
             read_element(has_bins);
           else if (has_systems)
@@ -119,7 +124,24 @@ namespace springfit
           else if (has_groups)
             read_group(number < "2435" ? 2 : 4);
           else
-            line("");
+            {
+              const TextLine &row = line("");
+              if (number == "164" && ++n_lines == 2)
+                read_unit(row);
+              else if (without_mesh.count(number) == 0)
+                data.ignored.insert(number);
+            }
+      }
+
+      // By how much lengths, forces and temperatures of the file are more than
+      // in SI.
+      void
+      read_unit(const TextLine &factors)
+      {
+        const auto values = split_at_blanks(factors.text);
+        if (values.empty() || !(read_real(values[0], factors.place) > 0.))
+          throw text_error(factors.place, "the unit of lengths is not above 0");
+        data.unit = 1. / read_real(values[0], factors.place);
       }
 
       // Three lines of the axes and one of the origin follow the name.
@@ -157,25 +179,48 @@ namespace springfit
                            "a node needs four numbers in its first line");
         for (const std::string &word : words)
           read_integer(word, head.place);
-        if (other_systems_.count(words[1]) > 0)
-          throw text_error(head.place,
-                           "the node " + words[0] +
-                             " is given in the coordinate system " + words[1] +
-                             ", which springfit does not know",
-                           "Write all nodes in the basic system, or convert "
-                           "the mesh to .msh.");
         const TextLine &line_of_point = line("a node's coordinates");
-        const auto coordinates        = split_at_blanks(line_of_point.text);
+        add_node(words,
+                 head.place,
+                 split_at_blanks(line_of_point.text),
+                 line_of_point.place);
+      }
+
+      void
+      read_node_of_one_line()
+      {
+        const TextLine &row  = line("a node");
+        const auto words     = split_at_blanks(row.text);
+        const auto n_numbers = std::min<std::size_t>(words.size(), 4);
+        add_node({words.begin(), words.begin() + n_numbers},
+                 row.place,
+                 {words.begin() + n_numbers, words.end()},
+                 row.place);
+      }
+
+      /** @p numbers of the node, its systems and its colour. */
+      void
+      add_node(const std::vector<std::string> &numbers,
+               const TextPlace &place,
+               const std::vector<std::string> &coordinates,
+               const TextPlace &place_of_point)
+      {
         if (coordinates.size() != 3)
-          throw text_error(line_of_point.place,
-                           "the node " + words[0] + " has " +
+          throw text_error(place_of_point,
+                           "the node " + numbers[0] + " has " +
                              std::to_string(coordinates.size()) +
                              " coordinates instead of 3");
+        if (other_systems_.count(numbers[1]) > 0)
+          throw text_error(place,
+                           "the node " + numbers[0] +
+                             " is given in the coordinate system " +
+                             numbers[1] + ", which springfit does not know",
+                           "Write all nodes in the basic system, or convert "
+                           "the mesh to .msh.");
         MeshPoint point;
         for (unsigned int d = 0; d < 3; ++d)
-          point[d] = read_real(coordinates[d], line_of_point.place);
-        data.nodes.push_back(
-          {read_label(words[0], head.place), point, head.place});
+          point[d] = read_real(coordinates[d], place_of_point);
+        data.nodes.push_back({read_label(numbers[0], place), point, place});
       }
 
       // A number, a type, those of the property and the material, each behind
@@ -244,11 +289,10 @@ namespace springfit
         UnvGroup group;
         const long number = read_integer(words[0], head.place);
         const long n      = read_integer(words.back(), head.place);
-        if (n < 0 || number < 0 || number > 2147483647)
+        if (n < 0)
           throw text_error(head.place,
-                           "a group has a number below 0 or above "
-                           "2147483647");
-        group.number = number;
+                           "a group announces fewer than 0 members");
+        group.number = checked_id(number, "the group", head.place);
         group.name   = trimmed(line("the name of a group").text);
         while (group.members.size() < std::size_t(n))
           {

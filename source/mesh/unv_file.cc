@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
 
 namespace springfit
@@ -62,7 +64,11 @@ namespace springfit
             has_material[element.dim] ? element.material : element.property;
           numbered.add_element(shape_of(element),
                                element.number,
-                               std::clamp(id, 0l, 2147483647l),
+                               checked_id(id,
+                                          has_material[element.dim]
+                                            ? "the material"
+                                            : "the property",
+                                          element.place),
                                element.nodes,
                                element.place);
         }
@@ -221,7 +227,8 @@ namespace springfit
   MeshDescription
   read_unv_file(const std::filesystem::path &file,
                 const std::string &name,
-                const int dim)
+                const int dim,
+                const double scale)
   {
     const UnvData data        = read_unv_data(file);
     NumberedElements numbered = number_elements(data);
@@ -237,6 +244,19 @@ namespace springfit
         mesh.warnings.push_back(name +
                                 ": elements without a shape are left out: " +
                                 join_some(counts) + '.');
+      }
+    if (!data.ignored.empty())
+      mesh.warnings.push_back(
+        name + ": data sets of no meaning to springfit and passed over: " +
+        join_some({data.ignored.begin(), data.ignored.end()}) + '.');
+    const double unit = data.unit.value_or(1.);
+    if (std::abs(unit - 1.) > 1e-6 && std::abs(unit / scale - 1.) > 1e-6)
+      {
+        std::ostringstream text;
+        text << name << " states that its unit of length is " << unit
+             << " m. Should Geometry/Scale be " << unit << " instead of "
+             << scale << '?';
+        mesh.warnings.push_back(text.str());
       }
     return std::move(mesh);
   }

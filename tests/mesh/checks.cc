@@ -229,6 +229,12 @@ TEST(Names, that_are_numbers_of_others_are_ambiguous)
   EXPECT_EQ(find_ids(known, {}, "\"a, b\"", "boundary", "E"), Ids{3});
 }
 
+TEST(Names, that_are_the_number_of_a_group_mean_all_of_it)
+{
+  EXPECT_EQ(find_ids({{1, "5"}, {1, "7"}, {5, "5"}}, {}, "5", "boundary", "E"),
+            (std::set<unsigned int>{1, 5}));
+}
+
 TEST(Names, of_several_groups_hold_them_all)
 {
   EXPECT_EQ(find_ids({{1, "skin"}, {2, "skin"}, {3, "bone"}},

@@ -87,6 +87,42 @@ TEST(File, has_the_groups_of_each_element)
   expect_plate(*read<2>("groups_by_element.msh"));
 }
 
+namespace
+{
+  double
+  length_of(const Mesh<2> &mesh, const std::string &boundary)
+  {
+    double length  = 0.;
+    const auto ids = find_boundaries(mesh, {boundary}, "E");
+    for (const auto &row : boundary_table(mesh))
+      if (ids.count(row.id) > 0)
+        length += row.area;
+    return length;
+  }
+} // namespace
+
+TEST(File, of_gmsh_may_have_groups_that_overlap_or_share_a_name)
+{
+  const auto by_element = read<2>("overlapping_groups.msh");
+  EXPECT_NEAR(length_of(*by_element, "wall"), 2., 1e-15);
+  EXPECT_NEAR(length_of(*by_element, "held"), 3., 1e-15);
+  EXPECT_EQ(find_materials(*by_element, "plate", "E"), (Ids{9, 10}));
+  EXPECT_TRUE(has_warning(by_element->warnings, "5 ('held') mean the sides"));
+
+  const auto by_entity = read<2>("overlapping_entities.msh");
+  EXPECT_NEAR(length_of(*by_entity, "bottom"), 2., 1e-15);
+  EXPECT_NEAR(length_of(*by_entity, "held"), 3., 1e-15);
+}
+
+TEST(File, may_give_a_side_several_ids)
+{
+  const auto mesh = read<2>("overlapping_references.mesh");
+  EXPECT_NEAR(length_of(*mesh, "1"), 2., 1e-15);
+  EXPECT_NEAR(length_of(*mesh, "5"), 2., 1e-15);
+  EXPECT_TRUE(has_warning(mesh->warnings, "3 of 6 boundary edges"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "left out: 1 of '7'"));
+}
+
 TEST(File, is_scaled)
 {
   const auto mesh = read<2>("plate_v2.msh", "Scale = 0.001");
@@ -311,6 +347,19 @@ TEST(File, of_universal_format_has_groups_of_nodes_sides_and_cells)
   read_bad("short_group.unv", {"'some nodes'", "4 announced"});
 }
 
+// Nodes of one line each, a beam, and data that are no part of the mesh.
+TEST(File, of_universal_format_may_state_its_unit)
+{
+  const auto mesh = read<3>("millimetres.unv");
+  EXPECT_NEAR(measure_of(*mesh), 1. / 6., 1e-15);
+  EXPECT_TRUE(has_warning(mesh->warnings, "unit of length is 0.001 m"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "passed over: 1710"));
+  EXPECT_TRUE(has_warning(mesh->warnings, "left out: 1 of type '21"));
+  EXPECT_FALSE(
+    has_warning(read<3>("millimetres.unv", "Scale = 0.001")->warnings,
+                "unit of length"));
+}
+
 namespace
 {
   std::string
@@ -460,6 +509,10 @@ TEST(File, that_loses_something_is_refused)
   read_bad("other_system.bdf", {"line 4", "coordinate system 5"});
   read_bad("word_as_coordinate.bdf", {"line 2", "'abc'"});
   read_bad("include.bdf", {"line 2", "INCLUDE"});
+  read_bad("repeated_card.bdf", {"line 2", "does not repeat cards"});
+  read_bad("unknown_card.bdf", {"line 4", "'CTRIAX6' is not known"});
+  read_bad("negative_reference.mesh", {"line 7", "reference -1 is no id"});
+  read_bad("large_group.msh", {"line 10", "99999999999 is no id"});
   read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
   read_bad("cut_short.vtk", {"the file ends too early"});
   read_bad("copied_nodes.inp", {"line 6", "*NCOPY"});
@@ -496,6 +549,22 @@ TEST(File, whose_ending_is_in_capitals_is_read)
   std::filesystem::remove_all(folder);
 }
 
+// gmsh runs the file mesh.msh.opt when it opens mesh.msh.
+TEST(File, with_options_beside_it_runs_no_command)
+{
+  const auto folder =
+    std::filesystem::temp_directory_path() / "springfit_options";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(std::string(MESH_DATA) + "/plate_v2.msh",
+                             folder / "plate.msh");
+  std::ofstream(folder / "plate.msh.opt")
+    << "SystemCall \"touch " << (folder / "called").string() << "\";\n";
+  make_mesh<2>("Object = file; File = plate.msh", folder);
+  EXPECT_FALSE(std::filesystem::exists(folder / "called"));
+  std::filesystem::remove_all(folder);
+}
+
 TEST(File, that_is_huge_asks_about_its_scale)
 {
   EXPECT_TRUE(has_warning(read<2>("plate_v2.msh", "Scale = 1000")->warnings,
@@ -524,7 +593,7 @@ TEST(File, that_is_bad_is_refused)
 {
   read_bad("absent.msh", {"Geometry/File", "absent.msh", "does not exist"});
   read_bad(".", {"Geometry/File", "is a directory"});
-  read_bad("no_mesh.msh", {"no_mesh.msh", "cannot be read by gmsh", "formats"});
+  read_bad("no_mesh.msh", {"no_mesh.msh", "begin with $MeshFormat", "formats"});
   read_bad("empty.msh", {"no cells of dimension 2", "no elements at all"});
   read_bad(
     "curve_without_surface.msh",

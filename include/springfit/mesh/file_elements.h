@@ -41,7 +41,8 @@ namespace springfit
 
   /**
    * The mesh of the elements of dimension @p dim, without ids of boundaries.
-   * Nodes without cells are counted in a warning. @p points holds the nodes in
+   * Nodes without cells are counted in a warning, and so are elements that are
+   * neither cells nor sides. @p points holds the nodes in
    * the file's units, @p name becomes the mesh's.
    *
    * @throws InputError when there are no such cells, or of several types, or of
@@ -55,8 +56,8 @@ namespace springfit
 
   /**
    * Give the sides of the boundary the ids of the elements that lie on them;
-   * @p elements are those of mesh_of_elements. Those inside the body are
-   * counted in a warning, and so are sides without an element.
+   * @p elements are those of mesh_of_elements. Elements of one id are a group
+   * as label_boundary_groups() has it, those of the id 0 are none.
    */
   void
   label_sides(MeshOfElements &result,

@@ -10,9 +10,9 @@ namespace springfit
   std::string
   ending_of(const std::filesystem::path &file);
 
-  /** Whether gmsh runs the file: its own scripts, and what it does not know. */
+  /** Whether the file is a program that gmsh runs. */
   bool
-  may_be_script(const std::filesystem::path &file);
+  is_geo_script(const std::filesystem::path &file);
 
   /** Whether the file holds a geometry, which is yet to be meshed. */
   bool
@@ -23,7 +23,10 @@ namespace springfit
   states_its_unit(const std::filesystem::path &file);
 
   /**
-   * Refuse formats that springfit cannot read; @p name begins the message.
+   * Refuse formats that springfit cannot read, and files that begin as those of
+   * another format than their ending says; @p name begins the message. What
+   * passes is read by the reader of its ending: gmsh itself would choose by
+   * rules of its own, and run what it does not know as a script.
    *
    * @throws InputError that says what the file is and how to convert it.
    */

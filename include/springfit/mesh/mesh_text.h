@@ -79,6 +79,15 @@ namespace springfit
   std::size_t
   read_label(const std::string &text, const TextPlace &place);
 
+  /**
+   * @p number as the id of a material or a boundary, from 0 to 2147483647.
+   * @p what it is, for the message: "the reference".
+   *
+   * @throws InputError that names @p place.
+   */
+  unsigned int
+  checked_id(long number, const std::string &what, const TextPlace &place);
+
   /** "a, b, c and 12 more": at most @p n_named words by themselves. */
   std::string
   join_some(const std::vector<std::string> &words, unsigned int n_named = 12);

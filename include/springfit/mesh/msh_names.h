@@ -11,6 +11,7 @@ namespace springfit
   struct MshName
   {
     int dim;
+    int number;
     std::string name;
   };
 

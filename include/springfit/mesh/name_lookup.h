@@ -30,13 +30,15 @@ namespace springfit
 
   /**
    * The ids that @p word means: all ids of that name, or itself, if it is a
-   * number. The case of a name does not matter where it tells no two names
-   * apart. A word in double quotes is a name only, "id 2" the number 2. @p what
-   * is "boundary" or "material", @p entry the parameter. An id with several
-   * names is listed several times in @p known.
+   * number. (Both, if the boundary of that number has it for its name, too, as
+   * groups without a name do that overlap with others.) The case of a name does
+   * not matter where it tells no two names apart. A word in double quotes is a
+   * name only, "id 2" the number 2. @p what is "boundary" or "material", @p
+   * entry the parameter. An id with several names is listed several times in @p
+   * known.
    *
    * @throws EntryError when the word is the number of one and the name of
-   * another; when it is neither, with @p known, the nearest name, and
+   * others; when it is neither, with @p known, the nearest name, and
    * @p unused.
    */
   std::set<unsigned int>

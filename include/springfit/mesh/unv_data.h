@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,12 +55,18 @@ namespace springfit
 
     /** How many springs, masses, links and gaps there are, by their type. */
     std::map<std::size_t, std::size_t> n_shapeless;
+
+    /** The length of the file's unit in m, if the file states one. */
+    std::optional<double> unit;
+
+    /** The numbers of data sets that are passed over. */
+    std::set<std::string> ignored;
   };
 
   /**
-   * Read the data sets of nodes (2411 and 781), elements (2412 and 780) and
-   * groups (2417, 2429, 2430, 2432, 2435, 2452, 2467 and 2477); others are
-   * passed over.
+   * Read the data sets of nodes (2411, 781 and 15), elements (2412 and 780),
+   * groups (2417, 2429, 2430, 2432, 2435, 2452, 2467 and 2477) and units (164);
+   * others are passed over.
    *
    * @throws InputError with the line of what cannot be understood, of nodes in
    * other coordinate systems (2420) than the basic one, and when the file ends
