@@ -610,6 +610,28 @@ TEST(File, of_step_is_taken_in_metres)
   std::filesystem::remove_all(folder);
 }
 
+// As the message on an .stl file has it.
+TEST(File, with_a_surface_can_be_filled)
+{
+  const auto folder = std::filesystem::temp_directory_path() / "springfit_fill";
+  std::filesystem::create_directories(folder);
+  {
+    const GmshSession session;
+    gmsh::model::occ::addBox(0, 0, 0, 1, 2, 3);
+    gmsh::model::occ::synchronize();
+    set_gmsh_cell_size(1.);
+    mesh_gmsh_model("test", 2);
+    gmsh::write(folder / "mesh.stl");
+  }
+  std::ofstream(folder / "mesh.geo")
+    << "Merge \"mesh.stl\"; Surface Loop(1) = {1}; Volume(1) = {1}; Mesh 3;\n";
+  EXPECT_NEAR(measure_of(
+                *make_mesh<3>("Object = file; File = mesh.geo", folder)),
+              6.,
+              1e-5);
+  std::filesystem::remove_all(folder);
+}
+
 TEST(File, that_is_bad_is_refused)
 {
   read_bad("absent.msh", {"Geometry/File", "absent.msh", "does not exist"});
