@@ -228,10 +228,12 @@ namespace springfit
       number_of_side(const AbaqusSurface::Item &item)
       {
         if (item.side.size() < 2 ||
-            std::string("SEP").find(item.side[0]) == std::string::npos)
+            std::string("SEP").find(item.side[0]) == std::string::npos ||
+            !std::isdigit(static_cast<unsigned char>(item.side[1])))
           throw text_error(item.place,
                            "'" + item.side + "' is no side of a cell",
-                           "Sides are S1, S2, ...");
+                           "Sides are S1, S2, ..., of shells E1, E2, ...; SPOS "
+                           "and SNEG, their faces, are none: remove them.");
         return read_label(item.side.substr(1), item.place);
       }
 

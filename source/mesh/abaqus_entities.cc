@@ -66,7 +66,9 @@ namespace springfit
                            std::to_string(element.nodes.size()) +
                            " nodes instead of " +
                            std::to_string(element.type->n_nodes),
-                         "The file may be cut short: write it anew.");
+                         element.nodes.size() < element.type->n_nodes
+                           ? "The file may be cut short: write it anew."
+                           : "Give it the type that has as many.");
       if (instance.shapeless.count(element.label) > 0 ||
           !instance.index_of_element
              .emplace(element.label, instance.elements.size())
@@ -93,13 +95,17 @@ namespace springfit
                          system + "' of *NODE",
                        "Give right-angled (R) or cylindrical (C) "
                        "coordinates.");
+    // A number and three coordinates, behind which a normal may stand.
+    const auto n_given = [](const TextLine &line) {
+      return std::min<std::size_t>(split_fields(line.text, ',').size(), 4);
+    };
     std::size_t n_most = 0, n_short = 0;
     for (const TextLine &line : block.lines)
-      n_most = std::max(n_most, split_fields(line.text, ',').size());
+      n_most = std::max(n_most, n_given(line));
     for (const TextLine &line : block.lines)
       {
         const auto fields = abaqus_fields(line);
-        n_short += split_fields(line.text, ',').size() < n_most ? 1 : 0;
+        n_short += n_given(line) < n_most ? 1 : 0;
         MeshPoint point{};
         for (unsigned int d = 0; d < 3; ++d)
           if (d + 1 < fields.size() && !fields[d + 1].empty())

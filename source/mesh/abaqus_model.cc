@@ -89,6 +89,13 @@ namespace springfit
                              (open_part_ ? "part" : "instance") +
                              " that begins here does",
                            "It may be cut short: write it anew.");
+        if (!parts_.empty() && used_parts_.empty() &&
+            model_.instances.front().elements.empty())
+          throw text_error(opened_,
+                           "no *INSTANCE is made of the part that begins here, "
+                           "nor of any other",
+                           "Give the file an *ASSEMBLY with an *INSTANCE of "
+                           "each part.");
         add_warnings();
         return std::move(model_);
       }

@@ -239,14 +239,15 @@ namespace springfit
             const std::string what    = which("element", i, n);
             const std::size_t element = tokens_.count(what);
             const TextPlace place     = tokens_.place();
-            const auto type = gmsh_element_types().find(tokens_.count(what));
-            if (type == gmsh_element_types().end())
+            const auto number         = tokens_.integer(what);
+            const auto type = find_gmsh_element_type(number, what, place);
+            if (type == nullptr)
               return false;
             if (version_ == "1")
               {
                 read_tag(what);
                 read_tag(what);
-                if (tokens_.count(what) != type->second.n_nodes)
+                if (tokens_.count(what) != type->n_nodes)
                   throw text_error(tokens_.place(),
                                    what +
                                      " has another number of nodes than its "
@@ -259,7 +260,7 @@ namespace springfit
                   read_tag(what);
               }
             elements_.add(element, place);
-            read_nodes_of(element, type->second);
+            read_nodes_of(element, *type);
           }
         return true;
       }
@@ -274,8 +275,10 @@ namespace springfit
             const std::string block = which("block", b, n_blocks);
             read_tag(block);
             read_tag(block);
-            const auto type = gmsh_element_types().find(tokens_.count(block));
-            if (type == gmsh_element_types().end())
+            const auto number = tokens_.integer(block);
+            const auto type =
+              find_gmsh_element_type(number, block, tokens_.place());
+            if (type == nullptr)
               return false;
             const std::size_t size = tokens_.count(block);
             for (std::size_t k = 0; k < size; ++k, ++i)
@@ -283,7 +286,7 @@ namespace springfit
                 const std::size_t element =
                   tokens_.count(which("element", i, n));
                 elements_.add(element, tokens_.place());
-                read_nodes_of(element, type->second);
+                read_nodes_of(element, *type);
               }
           }
         check_blocks(n, i, "elements");

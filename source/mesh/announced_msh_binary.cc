@@ -276,8 +276,8 @@ namespace springfit
             const auto type_number = number<std::int32_t>(what);
             const auto n_in_block  = number<std::int32_t>(what);
             const auto n_tags      = number<std::int32_t>(what);
-            const auto type        = gmsh_element_types().find(type_number);
-            if (type == gmsh_element_types().end())
+            const auto type = find_gmsh_element_type(type_number, what, place_);
+            if (type == nullptr)
               return false;
             if (n_in_block < 1 || std::size_t(n_in_block) > n - i)
               throw error("a block holds " + std::to_string(n_in_block) +
@@ -289,7 +289,7 @@ namespace springfit
                 elements_.add(element, place_);
                 for (std::int32_t t = 0; t < n_tags; ++t)
                   number<std::int32_t>(which("element", i, n));
-                read_nodes_of(element, type->second);
+                read_nodes_of(element, *type);
               }
           }
         return true;
@@ -302,17 +302,18 @@ namespace springfit
         std::size_t i           = 0;
         for (std::size_t b = 0; b < head.n_blocks; ++b)
           {
-            const HeadOfBlock block =
-              read_head_of_block(which("block of elements", b, head.n_blocks));
-            const auto type = gmsh_element_types().find(block.flag);
-            if (type == gmsh_element_types().end())
+            const std::string what =
+              which("block of elements", b, head.n_blocks);
+            const HeadOfBlock block = read_head_of_block(what);
+            const auto type = find_gmsh_element_type(block.flag, what, place_);
+            if (type == nullptr)
               return false;
             for (std::size_t k = 0; k < block.n; ++k, ++i)
               {
                 const std::size_t element =
                   read_number(which("element", i, head.n));
                 elements_.add(element, place_);
-                read_nodes_of(element, type->second);
+                read_nodes_of(element, *type);
               }
           }
         check_blocks(head.n, i, "elements");

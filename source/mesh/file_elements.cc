@@ -48,8 +48,9 @@ namespace springfit
             '.',
           all.empty()
             ? "Give a complete mesh."
-            : advice_on_dimension(
-                has_solids || !found_in(elements, 3).empty() ? 3 : 2));
+            : advice_on_dimension(!found_in(elements, 3).empty()   ? 3
+                                  : !found_in(elements, 2).empty() ? 2
+                                                                   : 1));
       if (cells.size() > 1)
         throw InputError(name + " has mixed cell types: " +
                            found_in(elements, dim) + '.',
@@ -109,6 +110,9 @@ namespace springfit
   std::string
   advice_on_dimension(const int dim)
   {
+    if (dim < 2)
+      return "Give a mesh with cells, " + join(words_of(cell_kind_words())) +
+             ": of lines alone there is no body.";
     return dim == 3
              ? "Set Dimension = 3 and Cells to tetrahedra or hexahedra, or "
                "give another mesh."

@@ -22,7 +22,7 @@ namespace springfit
 
     const std::string fill_stl =
       "Fill it: write a file mesh.geo with the lines 'Merge \"mesh.stl\"; "
-      "Surface Loop(1) = {1}; Volume(1) = {1};' and give that.";
+      "Surface Loop(1) = {1}; Volume(1) = {1}; Mesh 3;' and give that.";
 
     const ForeignFormat ls_dyna = {
       "a deck of LS-DYNA",

@@ -15,4 +15,20 @@ namespace springfit
       {31, {3, 56}}};
     return types;
   }
+
+
+  const GmshElementType *
+  find_gmsh_element_type(const long number,
+                         const std::string &what,
+                         const TextPlace &place)
+  {
+    constexpr long largest = 140;
+    if (number < 1 || number > largest)
+      throw text_error(place,
+                       what + " has the type " + std::to_string(number) +
+                         ", which is none",
+                       "A count before it may be wrong: write the file anew.");
+    const auto type = gmsh_element_types().find(number);
+    return type == gmsh_element_types().end() ? nullptr : &type->second;
+  }
 } // namespace springfit

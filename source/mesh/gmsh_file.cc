@@ -164,7 +164,9 @@ namespace springfit
                          "Give a complete mesh or geometry in a format that "
                          "gmsh reads.");
       throw InputError(found,
-                       advice_on_dimension(n_gmsh_elements(3) > 0 ? 3 : 2));
+                       advice_on_dimension(n_gmsh_elements(3) > 0   ? 3
+                                           : n_gmsh_elements(2) > 0 ? 2
+                                                                    : 1));
     }
 
     std::optional<Announced>

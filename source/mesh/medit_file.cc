@@ -27,6 +27,16 @@ namespace springfit
       return types;
     }
 
+    /** Of a keyword, whatever its case; none if it names no elements. */
+    const FileElements *
+    find_element_type(const std::string &keyword)
+    {
+      for (const auto &[name, type] : element_types())
+        if (in_capitals(name) == keyword)
+          return &type;
+      return nullptr;
+    }
+
     bool
     is_keyword(const std::string &word)
     {
@@ -46,7 +56,7 @@ namespace springfit
         while (!tokens_.at_end())
           {
             const std::string word = tokens_.next("a keyword");
-            if (word == "End")
+            if (in_capitals(word) == "END")
               {
                 has_end = true;
                 return;
@@ -70,14 +80,16 @@ namespace springfit
                              "' stands where a keyword should",
                            "The count before it may be too small, or a line "
                            "too long.");
-        if (word == "MeshVersionFormatted")
+        const std::string keyword      = in_capitals(word);
+        const FileElements *const type = find_element_type(keyword);
+        if (keyword == "MESHVERSIONFORMATTED")
           tokens_.count("a version");
-        else if (word == "Dimension")
+        else if (keyword == "DIMENSION")
           read_dimension();
-        else if (word == "Vertices")
+        else if (keyword == "VERTICES")
           read_vertices();
-        else if (element_types().count(word) > 0)
-          read_elements(word);
+        else if (type != nullptr)
+          read_elements(*type);
         else
           {
             ignored.insert(word);
@@ -112,16 +124,15 @@ namespace springfit
       }
 
       void
-      read_elements(const std::string &word)
+      read_elements(const FileElements &type)
       {
-        FileElements &of_type =
-          elements.emplace(word, element_types().at(word)).first->second;
-        const std::size_t n = tokens_.count("the number of " + word);
+        FileElements &of_type = elements.emplace(type.type, type).first->second;
+        const std::size_t n   = tokens_.count("the number of " + type.type);
         for (std::size_t e = 0; e < n; ++e)
           {
             const std::string what = "number " + std::to_string(e + 1) +
                                      " of the " + std::to_string(n) + ' ' +
-                                     word + " announced";
+                                     type.type + " announced";
             for (unsigned int i = 0; i < of_type.n_nodes; ++i)
               {
                 const std::size_t node = tokens_.count(what);

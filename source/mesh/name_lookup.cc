@@ -1,9 +1,9 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
+#include <springfit/mesh/mesh_text.h>
 #include <springfit/mesh/name_lookup.h>
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -11,14 +11,6 @@ namespace springfit
 {
   namespace
   {
-    std::string
-    in_capitals(std::string text)
-    {
-      for (char &c : text)
-        c = std::toupper(static_cast<unsigned char>(c));
-      return text;
-    }
-
     bool
     is_quoted(const std::string &word)
     {
@@ -59,41 +51,44 @@ namespace springfit
       return similar;
     }
 
-    /** "1, 2 'left', 'all'" */
+    constexpr unsigned int n_listed = 12;
+
+    /** "1, 2 'left' and 'all'", not too many. */
     std::string
     listed(const std::vector<IdAndName> &known)
     {
-      constexpr unsigned int n_listed = 30;
-      std::map<unsigned int, std::string> names;
+      std::map<unsigned int, std::vector<std::string>> names;
       for (const IdAndName &candidate : known)
         {
-          std::string &text = names[candidate.id];
+          auto &of_id = names[candidate.id];
           if (!candidate.name.empty())
-            text += std::string(text.empty() ? " '" : " and '") +
-                    candidate.name + '\'';
+            of_id.push_back('\'' + candidate.name + '\'');
         }
       std::vector<std::string> words;
-      for (const auto &[id, text] : names)
-        if (words.size() < n_listed)
-          words.push_back(std::to_string(id) + text);
-      if (names.size() > n_listed)
-        words.push_back(std::to_string(names.size() - n_listed) + " more");
-      return join(words);
+      for (auto &[id, of_id] : names)
+        {
+          constexpr unsigned int n_of_id = 4;
+          if (of_id.size() > n_of_id)
+            {
+              const auto n_more = of_id.size() - n_of_id;
+              of_id.resize(n_of_id);
+              of_id.push_back(std::to_string(n_more) + " more");
+            }
+          words.push_back(std::to_string(id) + (of_id.empty() ? "" : " ") +
+                          join(of_id, " and "));
+        }
+      return join_some(words, n_listed);
     }
 
     std::string
     listed(const UnusedNames &unused, const std::string &what)
     {
-      constexpr unsigned int n_listed = 30;
       std::vector<std::string> words;
       for (const auto &[name, reason] : unused)
-        if (words.size() < n_listed)
-          words.push_back('\'' + name + "' (" + reason + ')');
-      if (unused.size() > n_listed)
-        words.push_back(std::to_string(unused.size() - n_listed) + " more");
+        words.push_back('\'' + name + "' (" + reason + ')');
       return words.empty() ? ""
                            : " Names in the file that are no " + what + ": " +
-                               join(words) + '.';
+                               join_some(words, n_listed) + '.';
     }
 
     std::string

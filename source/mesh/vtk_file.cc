@@ -52,7 +52,7 @@ namespace springfit
     {
     public:
       Reader(const std::filesystem::path &file, const std::string &name)
-        : stream_(file, name)
+        : name_(name), stream_(file, name)
       {}
 
       void
@@ -151,8 +151,10 @@ namespace springfit
           {
             const std::string kind = stream_.keyword();
             if (kind != "UNSTRUCTURED_GRID")
-              throw stream_.error("it is a " + kind +
-                                  ", not an UNSTRUCTURED_GRID");
+              throw InputError(name_ + " is a " + kind.substr(0, 60) +
+                                 ", not an UNSTRUCTURED_GRID.",
+                               "The filter 'Append Datasets' of ParaView makes "
+                               "one of it: save that as .vtk.");
           }
         else if (word == "POINTS")
           read_points();
@@ -344,6 +346,7 @@ namespace springfit
         stream_.numbers(n_components * n_data_, type);
       }
 
+      const std::string name_;
       VtkStream stream_;
       std::vector<std::size_t> offsets_ = {0}, connectivity_;
       std::vector<unsigned int> types_;

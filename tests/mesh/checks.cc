@@ -235,6 +235,15 @@ TEST(Names, that_are_the_number_of_a_group_mean_all_of_it)
             (std::set<unsigned int>{1, 5}));
 }
 
+TEST(Names, that_are_many_make_no_long_message)
+{
+  std::vector<IdAndName> known;
+  for (unsigned int i = 0; i < 600; ++i)
+    known.push_back({i / 20, "name" + std::to_string(i)});
+  expect_error([&]() { find_ids(known, {}, "absent", "boundary", "E"); },
+               {"'name3' and 16 more", "and 18 more"});
+}
+
 TEST(Names, of_several_groups_hold_them_all)
 {
   EXPECT_EQ(find_ids({{1, "skin"}, {2, "skin"}, {3, "bone"}},

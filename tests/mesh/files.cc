@@ -305,6 +305,21 @@ TEST(File, of_medit_may_have_its_counts_in_the_line_of_the_keyword)
   EXPECT_TRUE(has_warning(mesh->warnings, "1 of the 5 nodes"));
 }
 
+TEST(File, of_medit_may_have_its_keywords_in_any_case)
+{
+  const auto mesh = read<2>("capitals.mesh");
+  EXPECT_NEAR(measure_of(*mesh), 0.5, 1e-15);
+  EXPECT_EQ(material_table(*mesh)[0].id, 4u);
+  EXPECT_FALSE(has_warning(mesh->warnings, "'End'"));
+}
+
+TEST(File, of_abaqus_may_give_normals_to_some_nodes)
+{
+  const auto mesh = read<2>("normals.inp");
+  EXPECT_NEAR(measure_of(*mesh), 0.5, 1e-15);
+  EXPECT_FALSE(has_warning(mesh->warnings, "coordinates"));
+}
+
 TEST(File, of_nastran_may_mark_its_continuations)
 {
   EXPECT_NEAR(measure_of(*read<3>("marked_continuation.bdf")), 0.015, 1e-12);
@@ -511,6 +526,12 @@ TEST(File, that_loses_something_is_refused)
   read_bad("include.bdf", {"line 2", "INCLUDE"});
   read_bad("repeated_card.bdf", {"line 2", "does not repeat cards"});
   read_bad("unknown_card.bdf", {"line 4", "'CTRIAX6' is not known"});
+  read_bad("no_such_type.msh", {"line 11", "the type 1850024970"});
+  read_bad("part_without_instance.inp", {"line 1", "no *INSTANCE"});
+  read_bad("long_element.inp", {"4 nodes instead of 3", "type that has"});
+  read_bad("face_of_shell.inp", {"line 8", "'SPOS' is no side"});
+  read_bad("polydata.vtk", {"is a POLYDATA", "'Append Datasets'"});
+  read_bad("lines.msh", {"1 of dimension 1", "of lines alone"});
   read_bad("negative_reference.mesh", {"line 7", "reference -1 is no id"});
   read_bad("large_group.msh", {"line 10", "99999999999 is no id"});
   read_bad("cut_short.unv", {"line 1", "the file ends before the data set"});
@@ -586,6 +607,28 @@ TEST(File, of_step_is_taken_in_metres)
     "Object = file; File = box.step; Cells = tetrahedra; Cell size = 0.01",
     folder);
   EXPECT_NEAR(measure_of(*mesh), 6e-6, 1e-12);
+  std::filesystem::remove_all(folder);
+}
+
+// As the message on an .stl file has it.
+TEST(File, with_a_surface_can_be_filled)
+{
+  const auto folder = std::filesystem::temp_directory_path() / "springfit_fill";
+  std::filesystem::create_directories(folder);
+  {
+    const GmshSession session;
+    gmsh::model::occ::addBox(0, 0, 0, 1, 2, 3);
+    gmsh::model::occ::synchronize();
+    set_gmsh_cell_size(1.);
+    mesh_gmsh_model("test", 2);
+    gmsh::write(folder / "mesh.stl");
+  }
+  std::ofstream(folder / "mesh.geo")
+    << "Merge \"mesh.stl\"; Surface Loop(1) = {1}; Volume(1) = {1}; Mesh 3;\n";
+  EXPECT_NEAR(measure_of(
+                *make_mesh<3>("Object = file; File = mesh.geo", folder)),
+              6.,
+              1e-5);
   std::filesystem::remove_all(folder);
 }
 

@@ -35,7 +35,7 @@ namespace springfit
     std::vector<std::optional<unsigned int>> vertex_of_node;
   };
 
-  /** How to mend a scene whose file holds cells of dimension @p dim, 2 or 3. */
+  /** How to mend a scene whose file holds elements up to dimension @p dim. */
   std::string
   advice_on_dimension(int dim);
 
