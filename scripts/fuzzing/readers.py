@@ -272,7 +272,8 @@ def read_medit(text, content):
             if dim != 3:
                 raise Unsure("vertices in the plane")
             for i in range(1, words.whole() + 1):
-                content.add_node(i, words.reals(3))
+                content.add_node(i, tuple(real(words.next(), d_exponents=True)
+                                          for _ in range(3)))
                 words.whole()
         elif title in kinds:
             for _ in range(words.whole()):
