@@ -252,23 +252,23 @@ def read_vtk(text, content):
 
 
 def read_medit(text, content):
-    kinds = {"Edges": 1, "Triangles": 2, "Quadrilaterals": 3, "Tetrahedra": 4, "Hexahedra": 5}
+    kinds = {"edges": 1, "triangles": 2, "quadrilaterals": 3, "tetrahedra": 4, "hexahedra": 5}
     words, seen, dim = Words(re.sub(r"#.*", "", text)), set(), None
-    if words.next() != "MeshVersionFormatted":
+    if words.next().lower() != "meshversionformatted":
         raise Malformed("no version")
     words.whole()
     while True:
-        title = words.next()
+        title = words.next().lower()
         if title in seen:
             raise Malformed(f"section {title} twice")
         seen.add(title)
-        if title == "End":
+        if title == "end":
             return
-        if title == "Dimension":
+        if title == "dimension":
             dim = words.whole()
             if dim not in (2, 3):
                 raise Malformed("dimension")
-        elif title == "Vertices":
+        elif title == "vertices":
             if dim != 3:
                 raise Unsure("vertices in the plane")
             for i in range(1, words.whole() + 1):
