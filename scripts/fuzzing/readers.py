@@ -75,8 +75,8 @@ class Words:
     def real(self):
         return real(self.next())
 
-    def reals(self, n):
-        return tuple(self.real() for _ in range(n))
+    def reals(self, n, d_exponents=False):
+        return tuple(real(self.next(), d_exponents) for _ in range(n))
 
     def wholes(self, n):
         return [self.whole() for _ in range(n)]
@@ -227,7 +227,7 @@ def read_vtk(text, content):
     if words.next().lower() not in ("float", "double"):
         raise Unsure("type of the points")
     for i in range(n_points):
-        content.add_node(i, words.reals(3))
+        content.add_node(i, words.reals(3, d_exponents=True))
     if words.next().upper() != "CELLS":
         raise Malformed("no cells after the points")
     n_cells, size = words.wholes(2)
@@ -272,8 +272,7 @@ def read_medit(text, content):
             if dim != 3:
                 raise Unsure("vertices in the plane")
             for i in range(1, words.whole() + 1):
-                content.add_node(i, tuple(real(words.next(), d_exponents=True)
-                                          for _ in range(3)))
+                content.add_node(i, words.reals(3, d_exponents=True))
                 words.whole()
         elif title in kinds:
             for _ in range(words.whole()):
