@@ -16,9 +16,6 @@ namespace springfit
     // more: to build one takes as long as many iterations.
     constexpr double outworn_factor = 2., outworn_more = 10.;
 
-    // What is pressed stays so for a while.
-    constexpr unsigned int n_convex_linearisations = 10;
-
     std::vector<Eigen::Index>
     held_unknowns(const MovingBody &body)
     {
@@ -42,11 +39,13 @@ namespace springfit
     const int dim,
     const MovingBody &body,
     std::unique_ptr<StepPreconditioner> preconditioner,
+    const PreconditionerLife life,
     const double tolerance,
     const WhereIndefinite where)
     : dim_(dim)
     , body_(body)
     , preconditioner_(std::move(preconditioner))
+    , life_(life)
     , tolerance_(tolerance)
     , tangent_(body.elastic->tangent_operator())
     , where_indefinite_(where)
@@ -64,6 +63,8 @@ namespace springfit
       --n_convex_;
     stiffness_->linearise(state.displacement);
     state_ = state;
+    if (life_ == PreconditionerLife::short_one)
+      is_outworn_ = true;
     if (body_.load_stiffness)
       {
         load_blocks_.setZero(dim_, dim_ * body_.mass.size());
@@ -122,19 +123,31 @@ namespace springfit
     if (is_another)
       {
         solutions_.clear();
-        build_preconditioner(Eigen::MatrixXd::Zero(dim_, body_.mass.size()));
+        MotionState rest;
+        rest.displacement.setZero(dim_, body_.mass.size());
+        rest.velocity = rest.displacement;
+        build_preconditioner(life_ == PreconditionerLife::long_one ? rest
+                                                                   : state_);
       }
     else if (is_outworn_)
-      build_preconditioner(state_.displacement);
+      build_preconditioner(state_);
   }
 
 
   void
-  IterativeStepSystem::build_preconditioner(const Eigen::MatrixXd &displacement)
+  IterativeStepSystem::build_preconditioner(const MotionState &state)
   {
-    preconditioner_->build(displacement, factors_.mass, factors_.stiffness);
     first_effort_ = 0.;
     is_outworn_   = false;
+    is_positive_ =
+      !is_convex() && preconditioner_->build(state, factors_, Tangent::exact);
+    if (is_positive_)
+      return;
+    // What has no factors is not solved by iterations, either.
+    if (life_ == PreconditionerLife::short_one && !is_convex() &&
+        where_indefinite_ == WhereIndefinite::convex_tangent)
+      take_convex_tangent();
+    is_positive_ = preconditioner_->build(state, factors_, Tangent::convex);
   }
 
 
@@ -172,6 +185,13 @@ namespace springfit
       first_effort_ = effort;
     is_outworn_ = result.n_iterations >
                   outworn_factor * first_effort_ * decades + outworn_more;
+  }
+
+
+  bool
+  IterativeStepSystem::is_convex() const
+  {
+    return stiffness_ != tangent_.get();
   }
 
 
@@ -217,7 +237,10 @@ namespace springfit
       conjugate_gradients([&](const auto &u,
                               auto &product) { multiply(u, product); },
                           [&](const auto &r, auto &z) {
-                            preconditioner_->apply(r, z);
+                            if (is_positive_)
+                              preconditioner_->apply(r, z);
+                            else
+                              z = r;
                             set_zero(held_, z);
                           },
                           tolerance_ * norm,
@@ -243,14 +266,14 @@ namespace springfit
       return free_forces; // what it leads to is for the caller to refuse
     auto solution = solve_iteratively(free_forces);
     if (!solution && where_indefinite_ == WhereIndefinite::convex_tangent &&
-        stiffness_ == tangent_.get())
+        !is_convex())
       {
         take_convex_tangent();
         solution = solve_iteratively(free_forces);
       }
     if (!solution && first_effort_ > 0.)
       {
-        build_preconditioner(state_.displacement);
+        build_preconditioner(state_);
         solution = solve_iteratively(free_forces);
       }
     if (!solution)

@@ -10,28 +10,6 @@ namespace springfit
   {
     using Sparse = Eigen::SparseMatrix<double>;
 
-    TangentMatrix
-    tangent_at(const int dim,
-               const MovingBody &body,
-               const Eigen::MatrixXd &displacement)
-    {
-      TangentMatrix tangent = empty_step_matrix(dim, body);
-      body.elastic->add_tangent(displacement, tangent);
-      return tangent;
-    }
-
-    /** By node, whether all its components are held. */
-    std::vector<bool>
-    held_nodes(const int dim, const MovingBody &body)
-    {
-      std::vector<bool> held(body.mass.size());
-      for (std::size_t v = 0; v < held.size(); ++v)
-        held[v] = std::all_of(body.held.begin() + dim * v,
-                              body.held.begin() + dim * (v + 1),
-                              [](const bool is_held) { return is_held; });
-      return held;
-    }
-
     /** The mean of the diagonals of the blocks of nodes, but below it. */
     std::vector<Eigen::Triplet<double>>
     mean_couplings(const int dim, const Sparse &K)
@@ -53,56 +31,158 @@ namespace springfit
         }
       return couplings;
     }
+
+    template <int dim>
+    void
+    add_node_blocks(const double factor,
+                    const Eigen::MatrixXd &blocks,
+                    TangentMatrix &matrix)
+    {
+      for (Eigen::Index v = 0; v < blocks.cols() / dim; ++v)
+        if (const auto block = blocks.block<dim, dim>(0, dim * v);
+            !block.isZero(0.))
+          matrix.add(v, v, (factor * block).eval());
+    }
+
+    void
+    add_node_blocks(const int dim,
+                    const double factor,
+                    const Eigen::MatrixXd &blocks,
+                    TangentMatrix &matrix)
+    {
+      if (dim == 2)
+        add_node_blocks<2>(factor, blocks, matrix);
+      else
+        add_node_blocks<3>(factor, blocks, matrix);
+    }
+
+    void
+    add_multiple_of_unit(const int dim,
+                         const unsigned int v,
+                         const unsigned int w,
+                         const double factor,
+                         TangentMatrix &matrix)
+    {
+      if (dim == 2)
+        matrix.add(v, w, (factor * Eigen::Matrix2d::Identity()).eval());
+      else
+        matrix.add(v, w, (factor * Eigen::Matrix3d::Identity()).eval());
+    }
   } // namespace
 
 
-  TangentMatrix
-  empty_step_matrix(const int dim, const MovingBody &body)
+  NodePattern
+  step_pattern(const MovingBody &body)
   {
     NodePattern pattern(body.mass.size());
     body.elastic->add_to_pattern(pattern);
+    add_to_pattern(body.dampers, pattern);
     for (unsigned int v = 0; v < body.mass.size(); ++v)
       pattern.add_clique(&v, 1);
-    return TangentMatrix(dim, pattern);
+    for (int c = 0; c < body.consistent_mass.outerSize(); ++c)
+      for (Sparse::InnerIterator entry(body.consistent_mass, c); entry; ++entry)
+        {
+          const unsigned int pair[] = {static_cast<unsigned int>(entry.row()),
+                                       static_cast<unsigned int>(c)};
+          pattern.add_clique(pair, 2);
+        }
+    return pattern;
+  }
+
+
+  std::vector<bool>
+  held_nodes(const int dim, const MovingBody &body)
+  {
+    std::vector<bool> held(body.mass.size());
+    for (std::size_t v = 0; v < held.size(); ++v)
+      held[v] = std::all_of(body.held.begin() + dim * v,
+                            body.held.begin() + dim * (v + 1),
+                            [](const bool is_held) { return is_held; });
+    return held;
+  }
+
+
+  StepMatrix::StepMatrix(const int dim, const MovingBody &body)
+    : dim_(dim)
+    , body_(body)
+    , stiffness_(dim, step_pattern(body))
+    , sum_(stiffness_)
+  {
+    if (are_there(body.dampers))
+      dampers_.push_back(stiffness_);
+    const Sparse &matrix  = sum_.matrix();
+    Eigen::Index position = 0;
+    for (int column = 0; column < matrix.outerSize(); ++column)
+      for (Sparse::InnerIterator entry(matrix, column); entry;
+           ++entry, ++position)
+        {
+          if (entry.row() == column)
+            diagonal_.push_back(position);
+          if (body.held[entry.row()] || body.held[column])
+            held_.push_back(position);
+        }
   }
 
 
   void
-  put_ones_where_held(const MovingBody &body, Sparse &matrix)
+  StepMatrix::linearise(const MotionState &state, const Tangent tangent)
   {
-    for (int column = 0; column < matrix.outerSize(); ++column)
-      for (Sparse::InnerIterator entry(matrix, column); entry; ++entry)
-        if (body.held[entry.row()] || body.held[entry.col()])
-          entry.valueRef() = entry.row() == entry.col() ? 1. : 0.;
+    stiffness_.set_zero();
+    if (tangent == Tangent::exact)
+      body_.elastic->add_tangent(state.displacement, stiffness_);
+    else
+      body_.elastic->add_convex_tangent(state.displacement, stiffness_);
+    for (TangentMatrix &matrix : dampers_)
+      {
+        matrix.set_zero();
+        add_damper_matrix(body_.dampers, state.displacement, matrix);
+      }
+    if (body_.load_stiffness)
+      {
+        load_blocks_.setZero(dim_, dim_ * body_.mass.size());
+        body_.load_stiffness(state, load_blocks_);
+      }
   }
 
 
-  Sparse
-  step_matrix(const MovingBody &body,
-              const TangentMatrix &tangent,
-              const double mass_factor,
-              const double stiffness_factor)
+  Eigen::MatrixXd
+  StepMatrix::stiffness_product(const Eigen::MatrixXd &u) const
   {
-    Sparse matrix          = stiffness_factor * tangent.matrix();
-    const Eigen::Index dim = matrix.rows() / body.mass.size();
-    for (int column = 0; column < matrix.outerSize(); ++column)
-      matrix.coeffRef(column, column) += mass_factor * body.mass[column / dim];
-    put_ones_where_held(body, matrix);
-    return matrix;
+    const Eigen::VectorXd product = stiffness_.matrix() * u.reshaped();
+    return product.reshaped(u.rows(), u.cols());
   }
 
 
-  Sparse
-  step_matrix(const int dim,
-              const MovingBody &body,
-              const Eigen::MatrixXd &displacement,
-              const double mass_factor,
-              const double stiffness_factor)
+  void
+  StepMatrix::add_mass(const double factor)
   {
-    return step_matrix(body,
-                       tangent_at(dim, body, displacement),
-                       mass_factor,
-                       stiffness_factor);
+    if (body_.consistent_mass.nonZeros() == 0)
+      for (std::size_t i = 0; i < diagonal_.size(); ++i)
+        sum_.entries()[diagonal_[i]] += factor * body_.mass[i / dim_];
+    for (int c = 0; c < body_.consistent_mass.outerSize(); ++c)
+      for (Sparse::InnerIterator entry(body_.consistent_mass, c); entry;
+           ++entry)
+        add_multiple_of_unit(
+          dim_, entry.row(), c, factor * entry.value(), sum_);
+  }
+
+
+  const Sparse &
+  StepMatrix::sum(const StepFactors &factors)
+  {
+    auto entries = sum_.entries();
+    entries      = factors.stiffness * stiffness_.entries();
+    add_mass(factors.mass);
+    if (body_.load_stiffness)
+      add_node_blocks(dim_, factors.load_stiffness, load_blocks_, sum_);
+    for (const TangentMatrix &matrix : dampers_)
+      entries += factors.dampers * matrix.entries();
+    for (const Eigen::Index position : held_)
+      entries[position] = 0.;
+    for (std::size_t i = 0; i < diagonal_.size(); ++i)
+      if (body_.held[i])
+        entries[diagonal_[i]] = 1.;
+    return sum_.matrix();
   }
 
 
@@ -116,8 +196,9 @@ namespace springfit
     const std::vector<bool> held = held_nodes(dim, body);
     Eigen::VectorXd diagonal     = mass_factor * body.mass;
     std::vector<Eigen::Triplet<double>> entries;
-    for (const auto &coupling :
-         mean_couplings(dim, tangent_at(dim, body, displacement).matrix()))
+    TangentMatrix tangent(dim, step_pattern(body));
+    body.elastic->add_tangent(displacement, tangent);
+    for (const auto &coupling : mean_couplings(dim, tangent.matrix()))
       {
         const double value = stiffness_factor * std::min(coupling.value(), 0.);
         diagonal[coupling.row()] -= value;

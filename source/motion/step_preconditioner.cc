@@ -1,8 +1,7 @@
+#include <springfit/motion/block_factors.h>
 #include <springfit/motion/multigrid.h>
 #include <springfit/motion/step_matrix.h>
 #include <springfit/motion/step_preconditioner.h>
-
-#include <Eigen/SparseCholesky>
 
 namespace springfit
 {
@@ -15,13 +14,15 @@ namespace springfit
         : dim_(dim), body_(body)
       {}
 
-      void
-      build(const Eigen::MatrixXd &displacement,
-            const double mass_factor,
-            const double stiffness_factor) override
+      // The Laplacian of any tangent is positive definite.
+      bool
+      build(const MotionState &state,
+            const StepFactors &factors,
+            Tangent) override
       {
         multigrid_ = std::make_unique<Multigrid>(scalar_step_matrix(
-          dim_, body_, displacement, mass_factor, stiffness_factor));
+          dim_, body_, state.displacement, factors.mass, factors.stiffness));
+        return true;
       }
 
       void
@@ -41,49 +42,32 @@ namespace springfit
     {
     public:
       FactorPreconditioner(const int dim, const MovingBody &body)
-        : body_(body), tangent_(empty_step_matrix(dim, body))
-      {
-        factors_.analyzePattern(tangent_.matrix());
-      }
+        : matrix_(dim, body)
+        , factors_(make_block_factors<float>(dim,
+                                             step_pattern(body),
+                                             held_nodes(dim, body)))
+      {}
 
-      void
-      build(const Eigen::MatrixXd &displacement,
-            const double mass_factor,
-            const double stiffness_factor) override
+      bool
+      build(const MotionState &state,
+            const StepFactors &factors,
+            const Tangent tangent) override
       {
-        const auto factorise = [&]() {
-          factors_.factorize(
-            step_matrix(body_, tangent_, mass_factor, stiffness_factor));
-          return factors_.info() == Eigen::Success &&
-                 factors_.vectorD().minCoeff() > 0.;
-        };
-        tangent_.set_zero();
-        body_.elastic->add_tangent(displacement, tangent_);
-        are_there_ = factorise();
-        if (are_there_)
-          return;
-        tangent_.set_zero();
-        body_.elastic->add_convex_tangent(displacement, tangent_);
-        are_there_ = factorise();
+        matrix_.linearise(state, tangent);
+        factors_->factorise(matrix_.sum(factors));
+        return factors_->are_positive();
       }
 
       void
       apply(const Eigen::MatrixXd &forces, Eigen::MatrixXd &motion) override
       {
-        if (!are_there_)
-          {
-            motion = forces;
-            return;
-          }
-        const Eigen::VectorXd solution = factors_.solve(forces.reshaped());
-        motion = solution.reshaped(forces.rows(), forces.cols());
+        motion = forces;
+        factors_->solve(motion);
       }
 
     private:
-      const MovingBody &body_;
-      TangentMatrix tangent_;
-      Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
-      bool are_there_ = false; // otherwise the unit matrix
+      StepMatrix matrix_;
+      const std::unique_ptr<BlockFactors> factors_;
     };
   } // namespace
 

@@ -1,3 +1,4 @@
+#include <springfit/motion/iterative_step_system.h>
 #include <springfit/motion/step_matrix.h>
 #include <springfit/motion/step_preconditioner.h>
 #include <springfit/motion/step_systems.h>
@@ -19,6 +20,12 @@ namespace springfit
     // several times as many: tests/benchmarks/step_benchmark.cc has the times.
     constexpr double little_fill = 2.;
 
+    // New factors for each step are as fast as iterations with kept ones if
+    // they take no longer than so many solutions, which is about as many
+    // iterations, where nodes resist alike in all directions and where they do
+    // not.
+    constexpr double few_solutions = 5., many_solutions = 50.;
+
     // Of the least and the largest resistance of a node: below it no single
     // number stands for both, as of membranes, which hardly resist across
     // themselves.
@@ -28,7 +35,7 @@ namespace springfit
     double
     isotropy(const int dim, const MovingBody &body)
     {
-      TangentMatrix tangent = empty_step_matrix(dim, body);
+      TangentMatrix tangent(dim, step_pattern(body));
       body.elastic->add_tangent(Eigen::MatrixXd::Zero(dim, body.mass.size()),
                                 tangent);
       std::vector<double> ratios;
@@ -73,20 +80,33 @@ namespace springfit
     /** Counts the entries of factors without computing them. */
     struct SymbolicFactors : Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>
     {
-      double
+      /** By column, below the diagonal. */
+      Eigen::ArrayXd
       n_entries() const
       {
-        return m_nonZerosPerCol.cast<double>().sum() + m_nonZerosPerCol.size();
+        return m_nonZerosPerCol.cast<double>();
       }
     };
 
-    /** The entries of the factors relative to those of half the matrix. */
-    double
-    fill_of_factors(const Eigen::SparseMatrix<double> &graph)
+    /** What factors cost, in blocks of two nodes. */
+    struct CostOfFactors
+    {
+      /** Their entries relative to those of half the matrix. */
+      double fill;
+
+      /** Products to make them, for each that solves with them. */
+      double effort;
+    };
+
+    CostOfFactors
+    cost_of_factors(const Eigen::SparseMatrix<double> &graph)
     {
       SymbolicFactors factors;
       factors.analyzePattern(graph);
-      return factors.n_entries() / (0.5 * (graph.nonZeros() + graph.cols()));
+      const Eigen::ArrayXd n = factors.n_entries();
+      const double n_entries = n.sum() + n.size();
+      return {n_entries / (0.5 * (graph.nonZeros() + graph.cols())),
+              0.5 * (n * (n + 1.)).sum() / (2. * n_entries)};
     }
   } // namespace
 
@@ -97,26 +117,37 @@ namespace springfit
                    const double tolerance,
                    const WhereIndefinite where)
   {
-    const double fill        = fill_of_factors(graph_of(body));
+    const CostOfFactors cost = cost_of_factors(graph_of(body));
     const double least       = isotropy(dim, body);
     const bool is_isotropic  = least >= isotropic;
-    const bool wants_factors = fill <= little_fill || !is_isotropic;
     std::ostringstream reason;
     reason.precision(2);
-    reason << "The equations of a step are solved by conjugate gradients with "
-           << (wants_factors ? "factors of the matrix at rest"
-                             : "a multigrid method")
-           << ", because ";
     if (is_isotropic)
-      reason << "factors of the " << body.mass.size() << " nodes have " << fill
-             << " times the entries of the matrix.";
+      reason << "factors of the " << body.mass.size() << " nodes have "
+             << cost.fill << " times the entries of the matrix.";
     else
       reason << "nodes resist in one direction " << std::max(least, 0.)
              << " times as much as in another.";
-    auto preconditioner = wants_factors ? factor_preconditioner(dim, body)
-                                        : multigrid_preconditioner(dim, body);
-    return {std::make_unique<IterativeStepSystem>(
-              dim, body, std::move(preconditioner), tolerance, where),
-            reason.str()};
+
+    const auto with = [&](const std::string &preconditioner,
+                          std::unique_ptr<StepPreconditioner> built,
+                          const PreconditionerLife life) {
+      return ChosenStepSystem{
+        std::make_unique<IterativeStepSystem>(
+          dim, body, std::move(built), life, tolerance, where),
+        "The equations of a step are solved by conjugate gradients with " +
+          preconditioner + ", because " + reason.str()};
+    };
+    if (cost.effort <= (is_isotropic ? few_solutions : many_solutions))
+      return with("factors of each step's matrix",
+                  factor_preconditioner(dim, body),
+                  PreconditionerLife::short_one);
+    if (cost.fill <= little_fill || !is_isotropic)
+      return with("factors of the matrix at rest",
+                  factor_preconditioner(dim, body),
+                  PreconditionerLife::long_one);
+    return with("a multigrid method",
+                multigrid_preconditioner(dim, body),
+                PreconditionerLife::long_one);
   }
 } // namespace springfit

@@ -49,12 +49,24 @@ namespace springfit
   void
   TangentMatrix::set_zero()
   {
-    std::fill_n(matrix_.valuePtr(), matrix_.nonZeros(), 0.);
+    entries().setZero();
   }
 
   const Eigen::SparseMatrix<double> &
   TangentMatrix::matrix() const
   {
     return matrix_;
+  }
+
+  Eigen::Map<Eigen::VectorXd>
+  TangentMatrix::entries()
+  {
+    return {matrix_.valuePtr(), matrix_.nonZeros()};
+  }
+
+  Eigen::Map<const Eigen::VectorXd>
+  TangentMatrix::entries() const
+  {
+    return {matrix_.valuePtr(), matrix_.nonZeros()};
   }
 } // namespace springfit

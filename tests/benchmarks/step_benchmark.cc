@@ -10,6 +10,7 @@
 //   bullet_step
 
 #include <springfit/motion/integrators.h>
+#include <springfit/motion/iterative_step_system.h>
 #include <springfit/motion/step_preconditioner.h>
 #include <springfit/motion/step_systems.h>
 
@@ -123,7 +124,7 @@ namespace
   print_times(const std::string &name,
               const unsigned int n,
               const Record &record,
-              const IterativeStepSystem &system)
+              const StepSystem &system)
   {
     // The first step builds the preconditioner.
     const std::vector<double> later(record.times.begin() + 1,

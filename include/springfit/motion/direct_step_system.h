@@ -1,14 +1,16 @@
 #ifndef springfit_motion_direct_step_system_h
 #define springfit_motion_direct_step_system_h
 
+#include <springfit/motion/block_factors.h>
+#include <springfit/motion/step_matrix.h>
 #include <springfit/motion/step_system.h>
-#include <springfit/springs/tangent_matrix.h>
 
-#include <Eigen/SparseCholesky>
+#include <memory>
+#include <vector>
 
 namespace springfit
 {
-  /** By a sparse L D L^T factorisation: exact, for small bodies. */
+  /** By factors of each step's matrix: exact, for any matrix. */
   class DirectStepSystem : public StepSystem
   {
   public:
@@ -24,19 +26,20 @@ namespace springfit
     Eigen::MatrixXd
     solve(const StepFactors &factors, const Eigen::MatrixXd &forces) override;
 
-  private:
     void
-    factorise(const StepFactors &factors);
+    forget() override;
 
-    const int dim_;
+    const std::vector<unsigned int> &
+    n_iterations() const override;
+
+  private:
     const MovingBody &body_;
+    StepMatrix matrix_;
+    const std::unique_ptr<BlockFactors> factors_;
 
-    // All of one pattern.
-    TangentMatrix tangent_, mass_, load_stiffness_, dampers_;
-
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors_;
     bool are_factorised_ = false;
     StepFactors of_factors_{};
+    std::vector<unsigned int> n_iterations_;
   };
 } // namespace springfit
 

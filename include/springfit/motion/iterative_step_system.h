@@ -16,25 +16,23 @@
 
 namespace springfit
 {
-  /** What a step does where its matrix is not positive definite. */
-  enum class WhereIndefinite
+  /** How long a preconditioner serves. */
+  enum class PreconditionerLife
   {
-    /** It is solved all the same, by factors. */
-    factors,
+    /** For one linearisation. */
+    short_one,
 
     /**
-     * It is solved with the convex tangent, see ElasticBody: that leads
-     * downhill, which is enough for a single linearisation.
+     * It is built at rest, and anew at the present state when it serves much
+     * worse than in the beginning.
      */
-    convex_tangent
+    long_one
   };
 
 
   /**
    * By preconditioned conjugate gradients with products that need no matrix,
-   * from a guess that solutions before suggest. The preconditioner is built at
-   * rest and kept; it is built anew at the present state when it serves much
-   * worse than in the beginning.
+   * from a guess that solutions before suggest.
    */
   class IterativeStepSystem : public StepSystem
   {
@@ -46,8 +44,9 @@ namespace springfit
     IterativeStepSystem(int dim,
                         const MovingBody &body,
                         std::unique_ptr<StepPreconditioner> preconditioner,
-                        double tolerance      = 1e-6,
-                        WhereIndefinite where = WhereIndefinite::factors);
+                        PreconditionerLife life = PreconditionerLife::long_one,
+                        double tolerance        = 1e-6,
+                        WhereIndefinite where   = WhereIndefinite::factors);
 
     void
     linearise(const MotionState &state) override;
@@ -61,9 +60,8 @@ namespace springfit
     void
     forget() override;
 
-    /** Of each solution up to now. */
     const std::vector<unsigned int> &
-    n_iterations() const;
+    n_iterations() const override;
 
   private:
     /** Sets @p product to the step's matrix times @p u, 0 where held. */
@@ -86,7 +84,7 @@ namespace springfit
     judge(const ConjugateGradients &result);
 
     void
-    build_preconditioner(const Eigen::MatrixXd &displacement);
+    build_preconditioner(const MotionState &state);
 
     /** After so many a new preconditioner is cheaper. */
     unsigned int
@@ -95,6 +93,9 @@ namespace springfit
     /** By conjugate gradients with the present stiffness; or nothing. */
     std::optional<Eigen::MatrixXd>
     solve_iteratively(const Eigen::MatrixXd &forces);
+
+    bool
+    is_convex() const;
 
     void
     take_convex_tangent();
@@ -105,6 +106,7 @@ namespace springfit
     const int dim_;
     const MovingBody &body_;
     const std::unique_ptr<StepPreconditioner> preconditioner_;
+    const PreconditionerLife life_;
     const double tolerance_;
 
     const std::unique_ptr<TangentOperator> tangent_;
@@ -131,6 +133,9 @@ namespace springfit
     // there are any.
     double first_effort_ = 0.;
     bool is_outworn_     = false;
+
+    // Whether the preconditioner is one: the matrix may have none.
+    bool is_positive_ = false;
   };
 } // namespace springfit
 

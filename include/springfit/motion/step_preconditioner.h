@@ -2,6 +2,7 @@
 #define springfit_motion_step_preconditioner_h
 
 #include <springfit/motion/moving_body.h>
+#include <springfit/motion/step_system.h>
 
 #include <Eigen/Core>
 
@@ -18,11 +19,14 @@ namespace springfit
   public:
     virtual ~StepPreconditioner() = default;
 
-    /** That of the matrix with the tangent at @p displacement from now on. */
-    virtual void
-    build(const Eigen::MatrixXd &displacement,
-          double mass_factor,
-          double stiffness_factor) = 0;
+    /**
+     * That of the matrix at a state from now on; whether that is positive
+     * definite, without which there is none.
+     */
+    virtual bool
+    build(const MotionState &state,
+          const StepFactors &factors,
+          Tangent tangent) = 0;
 
     /** Sets @p motion to what it makes of @p forces; dim x n_nodes. */
     virtual void
@@ -35,10 +39,7 @@ namespace springfit
   std::unique_ptr<StepPreconditioner>
   multigrid_preconditioner(int dim, const MovingBody &body);
 
-  /**
-   * The exact inverse at the displacement by L D L^T factors; where the matrix
-   * is not positive definite there, that with the convex tangent.
-   */
+  /** L D L^T factors in single precision: exact up to that. */
   std::unique_ptr<StepPreconditioner>
   factor_preconditioner(int dim, const MovingBody &body);
 } // namespace springfit

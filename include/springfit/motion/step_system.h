@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace springfit
 {
   /**
@@ -18,6 +20,31 @@ namespace springfit
     double load_stiffness;
     double dampers;
   };
+
+
+  /** Which tangent stiffness of the springs or cells. */
+  enum class Tangent
+  {
+    exact,
+    convex // see ElasticBody::add_convex_tangent
+  };
+
+
+  /** What a step does where its matrix is not positive definite. */
+  enum class WhereIndefinite
+  {
+    /** It is solved all the same, by factors. */
+    factors,
+
+    /**
+     * It is solved with the convex tangent: that leads downhill, which is
+     * enough for a single linearisation.
+     */
+    convex_tangent
+  };
+
+  /** For how many linearisations it is convex: what is pressed stays so. */
+  constexpr unsigned int n_convex_linearisations = 10;
 
 
   /**
@@ -51,8 +78,14 @@ namespace springfit
      * with a new system.
      */
     virtual void
-    forget()
-    {}
+    forget() = 0;
+
+    /**
+     * Of conjugate gradients, for each solution up to now; those by factors
+     * alone have 0.
+     */
+    virtual const std::vector<unsigned int> &
+    n_iterations() const = 0;
   };
 } // namespace springfit
 

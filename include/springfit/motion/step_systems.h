@@ -1,8 +1,8 @@
 #ifndef springfit_motion_step_systems_h
 #define springfit_motion_step_systems_h
 
-#include <springfit/motion/iterative_step_system.h>
 #include <springfit/motion/moving_body.h>
+#include <springfit/motion/step_system.h>
 
 #include <memory>
 #include <string>
@@ -12,7 +12,7 @@ namespace springfit
   /** A way to solve the steps of a body, and why it is the one. */
   struct ChosenStepSystem
   {
-    std::unique_ptr<IterativeStepSystem> system;
+    std::unique_ptr<StepSystem> system;
 
     /** A sentence for the log. */
     std::string reason;
@@ -20,10 +20,11 @@ namespace springfit
 
   /**
    * The system that is fastest as far as the body's nodes and the pairs of them
-   * that springs or cells join tell: conjugate gradients, with factors of the
-   * matrix at rest where these have few entries, as of small or slender bodies,
-   * or where nodes hardly resist in some direction, as those of membranes, and
-   * a multigrid method elsewhere.
+   * that springs or cells join tell: factors of each step's matrix where these
+   * are cheap, as of small bodies and of membranes, whose nodes hardly resist
+   * in some direction; else conjugate gradients, with factors of the matrix at
+   * rest where these have few entries, as of slender bodies, or of large
+   * membranes, and a multigrid method elsewhere.
    *
    * @param body must outlive the system
    * @param tolerance for the residual of a solution, relative to the forces

@@ -139,6 +139,7 @@ namespace springfit
   {
   public:
     using Vector = Eigen::Matrix<double, dim, 1>;
+    using Block  = Eigen::Matrix<double, dim, dim>;
 
     /** Stiffness is as the size to the power dim - 2. */
     PairKind()
@@ -213,6 +214,21 @@ namespace springfit
         product);
     }
 
+    void
+    add_tangent(const Members &members,
+                const Eigen::MatrixXd &x,
+                TangentMatrix &tangent) const override
+    {
+      add_pair_by_pair(
+        members,
+        x,
+        [](const double slope, const double curvature, const Vector &d) {
+          return Block(slope * Block::Identity() +
+                       curvature * d * d.transpose());
+        },
+        tangent);
+    }
+
     /**
      * The Hessian has the slope across the spring and slope + curvature l^2
      * along it as eigenvalues: a spring that is pressed resists along itself
@@ -223,28 +239,19 @@ namespace springfit
                        const Eigen::MatrixXd &x,
                        TangentMatrix &tangent) const override
     {
-      using Block = Eigen::Matrix<double, dim, dim>;
-      const PairKernel<dim, Law> kernel(members);
-      for (std::size_t m = 0; m < members.nodes.size() / 2; ++m)
-        {
-          const unsigned int i = members.nodes[2 * m];
-          const unsigned int j = members.nodes[2 * m + 1];
-          const Vector d       = at(x, j) - at(x, i);
-          if (!kernel.is_smooth_at(m, d))
-            continue;
+      add_pair_by_pair(
+        members,
+        x,
+        [](const double slope, const double curvature, const Vector &d) {
           const double s      = d.squaredNorm();
-          const double slope  = kernel.slope(m, d);
           const double across = std::max(slope, 0.);
-          const double along = std::max(slope + kernel.curvature(m, d) * s, 0.);
-          Block block        = across * Block::Identity();
+          const double along  = std::max(slope + curvature * s, 0.);
+          Block block         = across * Block::Identity();
           if (s > 0.)
             block += (along - across) / s * d * d.transpose();
-          tangent.add(i, i, block);
-          tangent.add(j, j, block);
-          block = -block;
-          tangent.add(i, j, block);
-          tangent.add(j, i, block);
-        }
+          return block;
+        },
+        tangent);
     }
 
     std::unique_ptr<TangentOperator>
@@ -262,6 +269,31 @@ namespace springfit
     at(const Eigen::MatrixXd &x, const unsigned int node)
     {
       return Eigen::Map<const Vector>(x.data() + dim * node);
+    }
+
+    /** Adds the Hessian of each, of which @p block_of is a node with itself. */
+    template <typename F>
+    static void
+    add_pair_by_pair(const Members &members,
+                     const Eigen::MatrixXd &x,
+                     const F &block_of,
+                     TangentMatrix &tangent)
+    {
+      const PairKernel<dim, Law> kernel(members);
+      for (std::size_t m = 0; m < members.nodes.size() / 2; ++m)
+        {
+          const unsigned int i = members.nodes[2 * m];
+          const unsigned int j = members.nodes[2 * m + 1];
+          const Vector d       = at(x, j) - at(x, i);
+          if (!kernel.is_smooth_at(m, d))
+            continue;
+          Block block = block_of(kernel.slope(m, d), kernel.curvature(m, d), d);
+          tangent.add(i, i, block);
+          tangent.add(j, j, block);
+          block = -block;
+          tangent.add(i, j, block);
+          tangent.add(j, i, block);
+        }
     }
 
     /** Adds what @p on_node_i gives to node i, and the opposite to node j. */

@@ -61,6 +61,13 @@ namespace springfit
     const Eigen::SparseMatrix<double> &
     matrix() const;
 
+    /** All entries of the sparsity, column by column. */
+    Eigen::Map<Eigen::VectorXd>
+    entries();
+
+    Eigen::Map<const Eigen::VectorXd>
+    entries() const;
+
   private:
     Eigen::SparseMatrix<double> matrix_;
   };

@@ -4,7 +4,7 @@
 #include <springfit/motion/contact.h>
 #include <springfit/motion/dynamics.h>
 #include <springfit/motion/energy_account.h>
-#include <springfit/motion/iterative_step_system.h>
+#include <springfit/motion/step_system.h>
 #include <springfit/motion/moving_body.h>
 #include <springfit/response/load_case.h>
 
@@ -53,7 +53,7 @@ namespace springfit
 
     std::unique_ptr<const ElasticBody> elastic;
     MovingBody body;
-    std::unique_ptr<IterativeStepSystem> system;
+    std::unique_ptr<StepSystem> system;
     std::string reason; // why it is this system, for the log
 
     MotionState state;
