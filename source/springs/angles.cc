@@ -13,9 +13,10 @@ namespace springfit
     class AngleKernel
     {
     public:
-      static constexpr int dim     = dim_;
-      static constexpr int n_nodes = 3;
-      using Places                 = Eigen::Matrix<double, dim, 3>;
+      static constexpr int dim          = dim_;
+      static constexpr int n_nodes      = 3;
+      static constexpr bool has_hessian = false;
+      using Places                      = Eigen::Matrix<double, dim, 3>;
 
       explicit AngleKernel(const Members &members)
         : stiffness_(members.columns[0].data())

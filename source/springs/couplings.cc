@@ -17,9 +17,10 @@ namespace springfit
     class CouplingKernel
     {
     public:
-      static constexpr int dim     = dim_;
-      static constexpr int n_nodes = 4;
-      using Places                 = Eigen::Matrix<double, dim, 4>;
+      static constexpr int dim          = dim_;
+      static constexpr int n_nodes      = 4;
+      static constexpr bool has_hessian = false;
+      using Places                      = Eigen::Matrix<double, dim, 4>;
 
       explicit CouplingKernel(const Members &members)
         : stiffness_(members.columns[0].data())

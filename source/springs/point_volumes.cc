@@ -32,13 +32,14 @@ namespace springfit
     class QuadrilateralPoints
     {
     public:
-      static constexpr CellKind kind = CellKind::quadrilateral;
-      static constexpr int dim       = 2;
-      static constexpr int n_nodes   = 4;
-      static constexpr int n_volumes = 4;
-      using Vector                   = SmallVector<2, T>;
-      using Places                   = NodeVectors<2, 4, T>;
-      using Values                   = std::array<T, 4>;
+      static constexpr CellKind kind    = CellKind::quadrilateral;
+      static constexpr int dim          = 2;
+      static constexpr int n_nodes      = 4;
+      static constexpr int n_volumes    = 4;
+      static constexpr bool has_hessian = false;
+      using Vector                      = SmallVector<2, T>;
+      using Places                      = NodeVectors<2, 4, T>;
+      using Values                      = std::array<T, 4>;
 
       /** The derivatives along the first direction by the point's number in the
        * second one, and the other way round. */
@@ -146,13 +147,14 @@ namespace springfit
     class HexahedronPoints
     {
     public:
-      static constexpr CellKind kind = CellKind::hexahedron;
-      static constexpr int dim       = 3;
-      static constexpr int n_nodes   = 8;
-      static constexpr int n_volumes = 8;
-      using Vector                   = SmallVector<3, T>;
-      using Places                   = NodeVectors<3, 8, T>;
-      using Values                   = std::array<T, 8>;
+      static constexpr CellKind kind    = CellKind::hexahedron;
+      static constexpr int dim          = 3;
+      static constexpr int n_nodes      = 8;
+      static constexpr int n_volumes    = 8;
+      static constexpr bool has_hessian = false;
+      using Vector                      = SmallVector<3, T>;
+      using Places                      = NodeVectors<3, 8, T>;
+      using Values                      = std::array<T, 8>;
 
       /** The derivatives in each direction, by the point's number in the other
        * two. */

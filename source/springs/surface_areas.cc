@@ -14,13 +14,14 @@ namespace springfit
     class TriangleInSpace
     {
     public:
-      static constexpr CellKind kind = CellKind::triangle;
-      static constexpr int dim       = 3;
-      static constexpr int n_nodes   = 3;
-      static constexpr int n_volumes = 1;
-      using Vector                   = SmallVector<3, T>;
-      using Places                   = NodeVectors<3, 3, T>;
-      using Values                   = std::array<T, 1>;
+      static constexpr CellKind kind    = CellKind::triangle;
+      static constexpr int dim          = 3;
+      static constexpr int n_nodes      = 3;
+      static constexpr int n_volumes    = 1;
+      static constexpr bool has_hessian = false;
+      using Vector                      = SmallVector<3, T>;
+      using Places                      = NodeVectors<3, 3, T>;
+      using Values                      = std::array<T, 1>;
 
       struct Edges
       {

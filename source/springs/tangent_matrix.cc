@@ -1,6 +1,6 @@
 #include <springfit/springs/tangent_matrix.h>
 
-#include <numeric>
+#include <algorithm>
 
 namespace springfit
 {

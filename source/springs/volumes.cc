@@ -14,13 +14,14 @@ namespace springfit
     template <CellKind kind_, int dim_, int n_nodes_, typename T>
     struct SingleVolume
     {
-      static constexpr CellKind kind = kind_;
-      static constexpr int dim       = dim_;
-      static constexpr int n_nodes   = n_nodes_;
-      static constexpr int n_volumes = 1;
-      using Vector                   = SmallVector<dim_, T>;
-      using Places                   = NodeVectors<dim_, n_nodes_, T>;
-      using Values                   = std::array<T, 1>;
+      static constexpr CellKind kind    = kind_;
+      static constexpr int dim          = dim_;
+      static constexpr int n_nodes      = n_nodes_;
+      static constexpr int n_volumes    = 1;
+      static constexpr bool has_hessian = false;
+      using Vector                      = SmallVector<dim_, T>;
+      using Places                      = NodeVectors<dim_, n_nodes_, T>;
+      using Values                      = std::array<T, 1>;
     };
 
 
@@ -140,6 +141,7 @@ namespace springfit
     class Tetrahedron : public SingleVolume<CellKind::tetrahedron, 3, 4, T>
     {
     public:
+      static constexpr bool has_hessian = true;
       using typename Tetrahedron::SingleVolume::Places;
       using typename Tetrahedron::SingleVolume::Values;
       using typename Tetrahedron::SingleVolume::Vector;
@@ -191,7 +193,51 @@ namespace springfit
                            ab_ * r + cross(a, x_.b) + cross(x_.a, b));
       }
 
+      Eigen::Matrix<double, 12, 12>
+      hessian(const Values &c, const Values &s) const
+      {
+        // Of the edges first: (d/da)(d/db) V is - 1/6 of the matrix of a
+        // product with c from the left, and so in turns.
+        const double r = c[0] * (1. / 36.), t = s[0] * (1. / 6.);
+        Eigen::Matrix<double, 9, 1> areas;
+        for (int d = 0; d < 3; ++d)
+          {
+            areas[d]     = bc_.c[d];
+            areas[3 + d] = ca_.c[d];
+            areas[6 + d] = ab_.c[d];
+          }
+        Eigen::Matrix<double, 12, 12> H;
+        auto of_edges = H.template bottomRightCorner<9, 9>();
+        of_edges      = (r * areas) * areas.transpose();
+        add_turned(x_.c, -t, of_edges.template block<3, 3>(0, 3));
+        add_turned(x_.c, t, of_edges.template block<3, 3>(3, 0));
+        add_turned(x_.b, t, of_edges.template block<3, 3>(0, 6));
+        add_turned(x_.b, -t, of_edges.template block<3, 3>(6, 0));
+        add_turned(x_.a, -t, of_edges.template block<3, 3>(3, 6));
+        add_turned(x_.a, t, of_edges.template block<3, 3>(6, 3));
+        H.template topRightCorner<3, 9>() = -(
+          of_edges.template topRows<3>() + of_edges.template middleRows<3>(3) +
+          of_edges.template bottomRows<3>());
+        H.template leftCols<3>() =
+          -(H.template middleCols<3>(3) + H.template middleCols<3>(6) +
+            H.template rightCols<3>());
+        return H;
+      }
+
     private:
+      /** Adds the matrix of a x . times @p t to @p block. */
+      template <typename Block>
+      static void
+      add_turned(const Vector &a, const double t, Block &&block)
+      {
+        block(0, 1) -= t * a.c[2];
+        block(1, 0) += t * a.c[2];
+        block(0, 2) += t * a.c[1];
+        block(2, 0) -= t * a.c[1];
+        block(1, 2) -= t * a.c[0];
+        block(2, 1) += t * a.c[0];
+      }
+
       static Places
       on_vertices(const Vector &of_1, const Vector &of_2, const Vector &of_3)
       {

@@ -4,11 +4,11 @@
 #include <springfit/core/progress.h>
 #include <springfit/motion/critical_step.h>
 #include <springfit/studies/case_in_motion.h>
+#include <springfit/studies/unstable_motion.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <sstream>
 
@@ -38,65 +38,13 @@ namespace springfit
                                            : std::ceil(exact))};
     }
 
-    /** Of conjugate gradients for each solution; none: nothing was solved. */
+    /** None: nothing was solved. */
     std::optional<double>
-    mean_iterations(const MovingModel &model)
+    mean_iterations(const MovingModel::Solutions &solutions)
     {
-      const auto &n = model.system->n_iterations();
-      if (n.empty())
+      if (solutions.n == 0)
         return {};
-      return std::accumulate(n.begin(), n.end(), 0.) / n.size();
-    }
-
-    /** The node that moves most, in words. */
-    std::string
-    fastest_node(const Eigen::MatrixXd &shape, const Eigen::MatrixXd &nodes)
-    {
-      Eigen::Index v;
-      shape.colwise().norm().maxCoeff(&v);
-      std::ostringstream text;
-      text.precision(4);
-      text << "node " << v << " at (";
-      for (Eigen::Index d = 0; d < nodes.rows(); ++d)
-        text << (d > 0 ? ", " : "") << nodes(d, v);
-      text << ") m";
-      return text.str();
-    }
-
-    /** The spring that resists a motion most, in words; none: nothing. */
-    std::string
-    stiffest_member(const std::vector<CalibratedNetwork> &networks,
-                    const MovingModel &model,
-                    const Eigen::MatrixXd &x,
-                    const Eigen::MatrixXd &shape)
-    {
-      std::string words;
-      double largest = 0.;
-      for (const auto &network : networks)
-        if (model.name.compare(0, network.name.size(), network.name) == 0 &&
-            model.fit == network.fit && model.enrichment == network.enrichment)
-          for (const auto &family : network.network.families)
-            for (std::size_t m = 0; m < family.size(); ++m)
-              {
-                const unsigned int *nodes = family.nodes(m);
-                const unsigned int n      = family.kind->n_nodes();
-                const std::vector<unsigned int> of_member(nodes, nodes + n);
-                const Eigen::VectorXd u =
-                  shape(Eigen::all, of_member).reshaped();
-                if (u.isZero(0.))
-                  continue;
-                const double energy =
-                  u.dot(family.kind->hessian(family.members, m, x) * u);
-                if (energy > largest)
-                  {
-                    largest = energy;
-                    words   = " and most of all by the nodes";
-                    for (const unsigned int v : of_member)
-                      words += ' ' + std::to_string(v);
-                    words += " of " + family.kind->word();
-                  }
-              }
-      return words;
+      return static_cast<double>(solutions.n_iterations) / solutions.n;
     }
   } // namespace
 
@@ -168,7 +116,8 @@ namespace springfit
         auto &account = model->account;
         checkpoint >> model->state.time >> model->state.displacement >>
           model->state.velocity >> model->state.acceleration >>
-          model->acceleration >> account.work_of_loads >>
+          model->acceleration >> model->solutions.n >>
+          model->solutions.n_iterations >> account.work_of_loads >>
           account.work_of_contact >> account.work_of_supports >>
           account.dissipated >> model->seconds >> model->square_sum >>
           model->largest_error >> model->largest >> model->n_rows;
@@ -193,7 +142,8 @@ namespace springfit
         const auto &account = model.account;
         checkpoint << model.state.time << model.state.displacement
                    << model.state.velocity << model.state.acceleration
-                   << model.acceleration << account.work_of_loads
+                   << model.acceleration << model.solutions.n
+                   << model.solutions.n_iterations << account.work_of_loads
                    << account.work_of_contact << account.work_of_supports
                    << account.dissipated << model.seconds << model.square_sum
                    << model.largest_error << model.largest << model.n_rows;
@@ -253,7 +203,7 @@ namespace springfit
                         grid_.step,
                         model->critical_step,
                         model->seconds / grid_.n_steps,
-                        mean_iterations(*model),
+                        mean_iterations(model->solutions),
                         model->largest,
                         {}});
         if (settings_.has_finite_elements && largest > 0.)
@@ -327,11 +277,8 @@ namespace springfit
           text_of(critical.step) +
           " s of symplectic Euler's method for the model '" + model.name +
           "' at t = " + text_of(model.state.time) + " s, set by " +
-          fastest_node(critical.shape, excitation_.nodes) +
-          stiffest_member(calibrated_.networks,
-                          model,
-                          excitation_.nodes + model.state.displacement,
-                          critical.shape) +
+          limiting_motion(
+            calibrated_.networks, model, excitation_.nodes, critical.shape) +
           '.',
         "Set a smaller step, or 0 for nine tenths of the limit; or choose "
         "'Integrator = implicit euler', which bears any.");

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace springfit
 {
@@ -138,6 +139,7 @@ namespace springfit
     model.account = earlier.account;
     model.account.dissipated += energy(earlier) - energy(model);
     model.seconds       = earlier.seconds;
+    model.solutions     = earlier.solutions;
     model.critical_step = earlier.critical_step;
     model.square_sum    = earlier.square_sum;
     model.largest_error = earlier.largest_error;
@@ -161,6 +163,8 @@ namespace springfit
   {
     using Clock              = std::chrono::steady_clock;
     const MotionState before = model.state;
+    const auto &n_iterations = model.system->n_iterations();
+    const auto n_before      = n_iterations.size();
     const auto begin         = Clock::now();
     try
       {
@@ -173,6 +177,11 @@ namespace springfit
       }
     model.seconds +=
       std::chrono::duration<double>(Clock::now() - begin).count();
+    model.solutions.n += n_iterations.size() - n_before;
+    model.solutions.n_iterations =
+      std::accumulate(n_iterations.begin() + n_before,
+                      n_iterations.end(),
+                      model.solutions.n_iterations);
     if (!model.state.velocity.allFinite() ||
         !std::isfinite(elastic_energy(model.body, model.state)))
       {

@@ -17,6 +17,7 @@ namespace springfit
    * kernel is a view of the columns and has
    *
    *     static constexpr int dim, n_nodes;
+   *     static constexpr bool has_hessian;
    *     using Places = Eigen::Matrix<double, dim, n_nodes>;
    *     explicit Kernel(const Members &);
    *     double energy(std::size_t m, const Places &x) const;  // or infinity
@@ -27,6 +28,12 @@ namespace springfit
    * product are asked for at places of finite energy only:
    *
    *     bool is_smooth(std::size_t m, const Places &x) const;
+   *
+   * With has_hessian it has that, too, else it is taken from products, column
+   * by column:
+   *
+   *     Eigen::Matrix<double, dim * n_nodes, dim * n_nodes>
+   *     hessian(std::size_t m, const Places &x) const;
    */
   template <typename Kernel>
   class KernelKind : public SpringKind
@@ -173,10 +180,12 @@ namespace springfit
           f.data()[dim * nodes[a] + d] += of_member(d, a);
     }
 
-    /** Column by column; the rounding errors of its halves are evened out. */
+    /** By products, the rounding errors of the halves are evened out. */
     static Hessian
     hessian_of(const Kernel &kernel, const std::size_t m, const Places &x)
     {
+      if constexpr (Kernel::has_hessian)
+        return kernel.hessian(m, x);
       Hessian H;
       for (int column = 0; column < dim * n; ++column)
         {

@@ -37,10 +37,11 @@ namespace springfit
   class PairKernel
   {
   public:
-    static constexpr int dim     = dim_;
-    static constexpr int n_nodes = 2;
-    using Places                 = Eigen::Matrix<double, dim, 2>;
-    using Vector                 = Eigen::Matrix<double, dim, 1>;
+    static constexpr int dim          = dim_;
+    static constexpr int n_nodes      = 2;
+    static constexpr bool has_hessian = false;
+    using Places                      = Eigen::Matrix<double, dim, 2>;
+    using Vector                      = Eigen::Matrix<double, dim, 1>;
 
     explicit PairKernel(const Members &members)
       : stiffness_(members.columns[0].data())

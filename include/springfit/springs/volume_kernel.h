@@ -20,14 +20,21 @@ namespace springfit
    *
    *     static constexpr CellKind kind;
    *     static constexpr int dim, n_nodes, n_volumes;
+   *     static constexpr bool has_hessian;
    *     using Places = NodeVectors<dim, n_nodes, T>;
    *     using Values = std::array<T, n_volumes>;
-   *     struct Edges { explicit Edges(const Places &); }; // differences of
-   * them explicit Coordinates(const Edges &x); Values values() const; // V_g
+   *     struct Edges { explicit Edges(const Places &); }; // differences
+   *     explicit Coordinates(const Edges &x); Values values() const; // V_g
    *     Values change(const Edges &u) const;          // grad V_g . u
    *     Places gradient(const Values &s) const;       // sum_g s_g grad V_g
    *     Places product(const Values &w, const Values &s, const Edges &u) const;
    *                        // sum_g (w_g grad V_g + s_g Hess V_g u)
+   *
+   * and, with has_hessian, of T = double,
+   *
+   *     // sum_g (c_g grad V_g grad V_g^T + s_g Hess V_g)
+   *     Eigen::Matrix<double, dim * n_nodes, dim * n_nodes>
+   *     hessian(const Values &c, const Values &s) const;
    */
   template <template <typename> class Coordinates, typename Law, typename T>
   class VolumeKernel
@@ -79,6 +86,14 @@ namespace springfit
       return product(state(m, x), u);
     }
 
+    /** Of T = double, where the coordinates have one. */
+    auto
+    hessian(const std::size_t m, const Places &x) const
+    {
+      const auto [volumes, slopes, curvatures] = state(m, x);
+      return volumes.hessian(curvatures, slopes);
+    }
+
   private:
     Values
     slopes(const std::size_t m, const Values &V) const
@@ -111,11 +126,12 @@ namespace springfit
   class SingleVolumeKernel
   {
   public:
-    using Volumes                  = Coordinates<double>;
-    static constexpr int dim       = Volumes::dim;
-    static constexpr int n_nodes   = Volumes::n_nodes;
-    static constexpr int n_volumes = Volumes::n_volumes;
-    using Places                   = Eigen::Matrix<double, dim, n_nodes>;
+    using Volumes                     = Coordinates<double>;
+    static constexpr int dim          = Volumes::dim;
+    static constexpr int n_nodes      = Volumes::n_nodes;
+    static constexpr int n_volumes    = Volumes::n_volumes;
+    static constexpr bool has_hessian = Volumes::has_hessian;
+    using Places                      = Eigen::Matrix<double, dim, n_nodes>;
 
     explicit SingleVolumeKernel(const Members &members)
       : law_(members), kernel_(members)
@@ -155,6 +171,12 @@ namespace springfit
     product(const std::size_t m, const Places &x, const Places &u) const
     {
       return matrix(kernel_.product(m, vectors(x), vectors(u)));
+    }
+
+    auto
+    hessian(const std::size_t m, const Places &x) const
+    {
+      return kernel_.hessian(m, vectors(x));
     }
 
   private:

@@ -4,8 +4,8 @@
 #include <springfit/motion/contact.h>
 #include <springfit/motion/dynamics.h>
 #include <springfit/motion/energy_account.h>
-#include <springfit/motion/step_system.h>
 #include <springfit/motion/moving_body.h>
+#include <springfit/motion/step_system.h>
 #include <springfit/response/load_case.h>
 
 #include <Eigen/Core>
@@ -62,6 +62,13 @@ namespace springfit
     EnergyAccount account;
 
     double seconds = 0.; // wall time of all steps
+
+    /** Of the equations of all steps, and conjugate gradients' iterations. */
+    struct Solutions
+    {
+      std::uint64_t n = 0, n_iterations = 0;
+    };
+    Solutions solutions;
 
     /** The stability limit of symplectic Euler's method, s, if it was asked
      * for.
