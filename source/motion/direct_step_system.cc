@@ -20,6 +20,14 @@ namespace springfit
   }
 
 
+  void
+  DirectStepSystem::linearise_loads(const MotionState &state)
+  {
+    are_factorised_ = false;
+    matrix_.linearise_loads(state);
+  }
+
+
   Eigen::MatrixXd
   DirectStepSystem::stiffness_product(const Eigen::MatrixXd &u) const
   {
@@ -50,6 +58,15 @@ namespace springfit
     factors_->solve(solution);
     n_iterations_.push_back(0);
     return solution;
+  }
+
+
+  Eigen::MatrixXd
+  DirectStepSystem::correct(const StepFactors &factors,
+                            const Eigen::MatrixXd &forces,
+                            double)
+  {
+    return solve(factors, forces);
   }
 
 

@@ -65,15 +65,22 @@ namespace springfit
     state_ = state;
     if (life_ == PreconditionerLife::short_one)
       is_outworn_ = true;
-    if (body_.load_stiffness)
-      {
-        load_blocks_.setZero(dim_, dim_ * body_.mass.size());
-        body_.load_stiffness(state, load_blocks_);
-        touched_.clear();
-        for (Eigen::Index v = 0; v < body_.mass.size(); ++v)
-          if (!load_blocks_.middleCols(dim_ * v, dim_).isZero(0.))
-            touched_.push_back(v);
-      }
+    linearise_loads(state);
+  }
+
+
+  void
+  IterativeStepSystem::linearise_loads(const MotionState &state)
+  {
+    if (!body_.load_stiffness)
+      return;
+    state_of_loads_ = state;
+    load_blocks_.setZero(dim_, dim_ * body_.mass.size());
+    body_.load_stiffness(state, load_blocks_);
+    touched_.clear();
+    for (Eigen::Index v = 0; v < body_.mass.size(); ++v)
+      if (!load_blocks_.middleCols(dim_ * v, dim_).isZero(0.))
+        touched_.push_back(v);
   }
 
 
@@ -212,6 +219,8 @@ namespace springfit
     if (!direct_)
       direct_ = std::make_unique<DirectStepSystem>(dim_, body_);
     direct_->linearise(state_);
+    if (body_.load_stiffness)
+      direct_->linearise_loads(state_of_loads_);
     return direct_->solve(factors_, forces);
   }
 
@@ -228,11 +237,10 @@ namespace springfit
 
 
   std::optional<Eigen::MatrixXd>
-  IterativeStepSystem::solve_iteratively(const Eigen::MatrixXd &forces)
+  IterativeStepSystem::solve_iteratively(const double norm,
+                                         Eigen::MatrixXd solution,
+                                         Eigen::MatrixXd residual)
   {
-    Eigen::MatrixXd residual = forces;
-    const double norm        = residual.norm();
-    Eigen::MatrixXd solution = guess(residual);
     const ConjugateGradients result =
       conjugate_gradients([&](const auto &u,
                               auto &product) { multiply(u, product); },
@@ -252,6 +260,17 @@ namespace springfit
     if (!result.has_converged)
       return {};
     return solution;
+  }
+
+
+  std::optional<Eigen::MatrixXd>
+  IterativeStepSystem::solve_iteratively(const Eigen::MatrixXd &forces)
+  {
+    Eigen::MatrixXd residual = forces;
+    Eigen::MatrixXd start    = guess(residual);
+    return solve_iteratively(forces.norm(),
+                             std::move(start),
+                             std::move(residual));
   }
 
 
@@ -282,6 +301,27 @@ namespace springfit
     if (solutions_.size() > 3)
       solutions_.pop_back();
     return *solution;
+  }
+
+
+  Eigen::MatrixXd
+  IterativeStepSystem::correct(const StepFactors &factors,
+                               const Eigen::MatrixXd &forces,
+                               const double norm)
+  {
+    prepare(factors);
+    Eigen::MatrixXd free_forces = forces;
+    set_zero(held_, free_forces);
+    if (!std::isfinite(free_forces.norm()))
+      return free_forces;
+    const auto correction =
+      solve_iteratively(norm, 0. * free_forces, free_forces);
+    const Eigen::MatrixXd result =
+      correction ? *correction : solve_directly(free_forces);
+    // The whole is what a step to come may begin with.
+    if (!solutions_.empty())
+      solutions_.front() += result;
+    return result;
   }
 
 

@@ -137,11 +137,17 @@ namespace springfit
         matrix.set_zero();
         add_damper_matrix(body_.dampers, state.displacement, matrix);
       }
-    if (body_.load_stiffness)
-      {
-        load_blocks_.setZero(dim_, dim_ * body_.mass.size());
-        body_.load_stiffness(state, load_blocks_);
-      }
+    linearise_loads(state);
+  }
+
+
+  void
+  StepMatrix::linearise_loads(const MotionState &state)
+  {
+    if (!body_.load_stiffness)
+      return;
+    load_blocks_.setZero(dim_, dim_ * body_.mass.size());
+    body_.load_stiffness(state, load_blocks_);
   }
 
 

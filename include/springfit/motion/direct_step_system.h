@@ -20,11 +20,19 @@ namespace springfit
     void
     linearise(const MotionState &state) override;
 
+    void
+    linearise_loads(const MotionState &state) override;
+
     Eigen::MatrixXd
     stiffness_product(const Eigen::MatrixXd &u) const override;
 
     Eigen::MatrixXd
     solve(const StepFactors &factors, const Eigen::MatrixXd &forces) override;
+
+    Eigen::MatrixXd
+    correct(const StepFactors &factors,
+            const Eigen::MatrixXd &forces,
+            double norm) override;
 
     void
     forget() override;

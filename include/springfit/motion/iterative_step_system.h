@@ -51,11 +51,19 @@ namespace springfit
     void
     linearise(const MotionState &state) override;
 
+    void
+    linearise_loads(const MotionState &state) override;
+
     Eigen::MatrixXd
     stiffness_product(const Eigen::MatrixXd &u) const override;
 
     Eigen::MatrixXd
     solve(const StepFactors &factors, const Eigen::MatrixXd &forces) override;
+
+    Eigen::MatrixXd
+    correct(const StepFactors &factors,
+            const Eigen::MatrixXd &forces,
+            double norm) override;
 
     void
     forget() override;
@@ -90,7 +98,16 @@ namespace springfit
     unsigned int
     n_iterations_to_try() const;
 
-    /** By conjugate gradients with the present stiffness; or nothing. */
+    /**
+     * By conjugate gradients with the present stiffness, from a @p solution
+     * that leaves a @p residual, to the tolerance times @p norm; or nothing.
+     */
+    std::optional<Eigen::MatrixXd>
+    solve_iteratively(double norm,
+                      Eigen::MatrixXd solution,
+                      Eigen::MatrixXd residual);
+
+    /** The same from a guess. */
     std::optional<Eigen::MatrixXd>
     solve_iteratively(const Eigen::MatrixXd &forces);
 
@@ -117,7 +134,7 @@ namespace springfit
     // For how many more linearisations it is the convex one.
     unsigned int n_convex_ = 0;
 
-    MotionState state_;
+    MotionState state_, state_of_loads_;
     Eigen::MatrixXd load_blocks_;              // see MovingBody::load_stiffness
     std::vector<Eigen::Index> touched_;        // nodes that it is not 0 of
     const Eigen::VectorXd mass_of_unknowns_;   // kg, dim * v + d

@@ -32,6 +32,10 @@ namespace springfit
     void
     linearise(const MotionState &state, Tangent tangent);
 
+    /** The loads' stiffness alone is that at this state from now on. */
+    void
+    linearise_loads(const MotionState &state);
+
     /** K u, N. */
     Eigen::MatrixXd
     stiffness_product(const Eigen::MatrixXd &u) const;

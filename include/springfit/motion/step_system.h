@@ -60,6 +60,10 @@ namespace springfit
     virtual void
     linearise(const MotionState &state) = 0;
 
+    /** The loads' stiffness alone is that at this state from now on. */
+    virtual void
+    linearise_loads(const MotionState &state) = 0;
+
     /** K u, N, of the elastic tangent alone. */
     virtual Eigen::MatrixXd
     stiffness_product(const Eigen::MatrixXd &u) const = 0;
@@ -72,6 +76,15 @@ namespace springfit
      */
     virtual Eigen::MatrixXd
     solve(const StepFactors &factors, const Eigen::MatrixXd &forces) = 0;
+
+    /**
+     * The same of forces that a solution leaves over, as exactly as if @p norm
+     * were that of all of them, N.
+     */
+    virtual Eigen::MatrixXd
+    correct(const StepFactors &factors,
+            const Eigen::MatrixXd &forces,
+            double norm) = 0;
 
     /**
      * Forget what solutions before have taught, so that all that follows is as
