@@ -173,8 +173,7 @@ namespace springfit
           if (!(size > enough))
             return;
           system.linearise_loads(end);
-          const Eigen::MatrixXd change =
-            system.correct(factors, rest, norm);
+          const Eigen::MatrixXd change = system.correct(factors, rest, norm);
           for (double part = 1.;; part *= 0.5)
             {
               MotionState trial = end;

@@ -1,6 +1,8 @@
 #include <springfit/motion/iterative_step_system.h>
 #include <springfit/response/convex_tangent.h>
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -236,19 +238,64 @@ namespace springfit
   }
 
 
+  void
+  IterativeStepSystem::set_scales()
+  {
+    scales_.clear();
+    const Eigen::VectorXd diagonal = preconditioner_->diagonal_without_loads();
+    if (!body_.load_stiffness || diagonal.size() == 0)
+      return;
+    for (const Eigen::Index v : touched_)
+      {
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> B(
+          load_blocks_.middleCols(dim_ * v, dim_));
+        const Eigen::VectorXd factors =
+          (1. + factors_.load_stiffness / diagonal[v] *
+                  B.eigenvalues().array().max(0.))
+            .rsqrt();
+        scales_.push_back(B.eigenvectors() * factors.asDiagonal() *
+                          B.eigenvectors().transpose());
+      }
+  }
+
+
+  void
+  IterativeStepSystem::scale_touched(Eigen::MatrixXd &values) const
+  {
+    for (std::size_t i = 0; i < scales_.size(); ++i)
+      values.col(touched_[i]) = (scales_[i] * values.col(touched_[i])).eval();
+  }
+
+
+  void
+  IterativeStepSystem::precondition(const Eigen::MatrixXd &forces,
+                                    Eigen::MatrixXd &motion) const
+  {
+    if (!is_positive_)
+      motion = forces;
+    else if (scales_.empty())
+      preconditioner_->apply(forces, motion);
+    else
+      {
+        Eigen::MatrixXd scaled = forces;
+        scale_touched(scaled);
+        preconditioner_->apply(scaled, motion);
+        scale_touched(motion);
+      }
+  }
+
+
   std::optional<Eigen::MatrixXd>
   IterativeStepSystem::solve_iteratively(const double norm,
                                          Eigen::MatrixXd solution,
                                          Eigen::MatrixXd residual)
   {
+    set_scales();
     const ConjugateGradients result =
       conjugate_gradients([&](const auto &u,
                               auto &product) { multiply(u, product); },
                           [&](const auto &r, auto &z) {
-                            if (is_positive_)
-                              preconditioner_->apply(r, z);
-                            else
-                              z = r;
+                            precondition(r, z);
                             set_zero(held_, z);
                           },
                           tolerance_ * norm,

@@ -20,9 +20,17 @@ namespace springfit
             const StepFactors &factors,
             Tangent) override
       {
-        multigrid_ = std::make_unique<Multigrid>(scalar_step_matrix(
-          dim_, body_, state.displacement, factors.mass, factors.stiffness));
+        const auto matrix = scalar_step_matrix(
+          dim_, body_, state.displacement, factors.mass, factors.stiffness);
+        diagonal_  = matrix.diagonal();
+        multigrid_ = std::make_unique<Multigrid>(matrix);
         return true;
+      }
+
+      Eigen::VectorXd
+      diagonal_without_loads() const override
+      {
+        return diagonal_;
       }
 
       void
@@ -35,6 +43,7 @@ namespace springfit
       const int dim_;
       const MovingBody &body_;
       std::unique_ptr<Multigrid> multigrid_;
+      Eigen::VectorXd diagonal_;
     };
 
 
@@ -56,6 +65,12 @@ namespace springfit
         matrix_.linearise(state, tangent);
         factors_->factorise(matrix_.sum(factors));
         return factors_->are_positive();
+      }
+
+      Eigen::VectorXd
+      diagonal_without_loads() const override
+      {
+        return {};
       }
 
       void

@@ -87,6 +87,20 @@ namespace springfit
     Eigen::MatrixXd
     guess(Eigen::MatrixXd &residual) const;
 
+    /**
+     * Sets the scales of touched nodes: with S = (I + B / a)^(-1/2) on both
+     * sides of the preconditioner, of a node's loads' stiffness B and its
+     * diagonal a, it counts what loads stiffen.
+     */
+    void
+    set_scales();
+
+    void
+    scale_touched(Eigen::MatrixXd &values) const;
+
+    void
+    precondition(const Eigen::MatrixXd &forces, Eigen::MatrixXd &motion) const;
+
     /** Whether the preconditioner serves as in the beginning. */
     void
     judge(const ConjugateGradients &result);
@@ -135,8 +149,12 @@ namespace springfit
     unsigned int n_convex_ = 0;
 
     MotionState state_, state_of_loads_;
-    Eigen::MatrixXd load_blocks_;              // see MovingBody::load_stiffness
-    std::vector<Eigen::Index> touched_;        // nodes that it is not 0 of
+    Eigen::MatrixXd load_blocks_;       // see MovingBody::load_stiffness
+    std::vector<Eigen::Index> touched_; // nodes that it is not 0 of
+
+    // Of each of them, dim x dim, see set_scales(); none where not needed.
+    std::vector<Eigen::MatrixXd> scales_;
+
     const Eigen::VectorXd mass_of_unknowns_;   // kg, dim * v + d
     std::unique_ptr<DirectStepSystem> direct_; // none before it is wanted
 

@@ -28,6 +28,13 @@ namespace springfit
           const StepFactors &factors,
           Tangent tangent) = 0;
 
+    /**
+     * Of what it is the inverse of, without the loads' stiffness: the mean
+     * entry on the diagonal of each node, or nothing where that counts already.
+     */
+    virtual Eigen::VectorXd
+    diagonal_without_loads() const = 0;
+
     /** Sets @p motion to what it makes of @p forces; dim x n_nodes. */
     virtual void
     apply(const Eigen::MatrixXd &forces, Eigen::MatrixXd &motion) = 0;
