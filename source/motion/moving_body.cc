@@ -1,5 +1,7 @@
 #include <springfit/motion/moving_body.h>
 
+#include <cmath>
+
 namespace springfit
 {
   Eigen::MatrixXd
@@ -30,6 +32,17 @@ namespace springfit
   momentum(const MovingBody &body, const MotionState &state)
   {
     return mass_product(body, state.velocity).rowwise().sum();
+  }
+
+
+  double
+  norm_of_free(const MovingBody &body, const Eigen::MatrixXd &forces)
+  {
+    double square = 0.;
+    for (std::size_t i = 0; i < body.held.size(); ++i)
+      if (!body.held[i])
+        square += forces.reshaped()[i] * forces.reshaped()[i];
+    return std::sqrt(square);
   }
 
 

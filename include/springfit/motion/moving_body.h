@@ -90,6 +90,10 @@ namespace springfit
   Eigen::VectorXd
   momentum(const MovingBody &body, const MotionState &state);
 
+  /** Of what is not held, in the unit of @p forces (dim x n_nodes). */
+  double
+  norm_of_free(const MovingBody &body, const Eigen::MatrixXd &forces);
+
   /** loads - grad U, N; dim x n_nodes. */
   Eigen::MatrixXd
   driving_forces(const MovingBody &body, const MotionState &state);
