@@ -18,6 +18,9 @@ namespace springfit
     // more: to build one takes as long as many iterations.
     constexpr double outworn_factor = 2., outworn_more = 10.;
 
+    // What is pressed stays so for a while.
+    constexpr unsigned int n_convex_linearisations = 10;
+
     std::vector<Eigen::Index>
     held_unknowns(const MovingBody &body)
     {

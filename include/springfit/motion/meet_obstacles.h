@@ -9,11 +9,12 @@
 namespace springfit
 {
   /**
-   * The velocity @p y at the end of a step from the state @p begin, whose
-   * loads were linearised there, made such that the loads are those at its
-   * end: a node that meets or leaves an obstacle on the way would otherwise
-   * be found far inside it, or held back from outside. This is Newton's
-   * method on what the step's linear equations and the loads leave over.
+   * The velocity @p y (dim x n_nodes, m/s) at the end of a step from the state
+   * @p begin, whose loads were linearised there, made such that the loads are
+   * those at its end: a node that meets or leaves an obstacle on the way would
+   * otherwise be found far inside it, or held back from outside. This is
+   * Newton's method on what the step's linear equations and the loads leave
+   * over.
    *
    * @param norm of all impulses of the step, N s
    * @param tolerance for those left over, relative to it

@@ -43,9 +43,6 @@ namespace springfit
     convex_tangent
   };
 
-  /** For how many linearisations it is convex: what is pressed stays so. */
-  constexpr unsigned int n_convex_linearisations = 10;
-
 
   /**
    * What an implicit step asks for: products with the tangent stiffness K at a
