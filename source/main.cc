@@ -188,6 +188,7 @@ namespace
                         stored_mesh_name(command_line.source, prm.get("File")));
     prm.leave_subsection();
     const auto study = value_of(study_words(), top_level.study_word, "Study");
+    complete_study(study, scene);
     check_study(study, scene);
     run_collectively(communicator,
                      [&]() { scene.geometry.check_files(scene.folder); });

@@ -36,6 +36,7 @@ namespace springfit
     deformed_states(const CellIterator<dim, spacedim> &cell,
                     const CellMaterial &material,
                     const std::vector<Eigen::MatrixXd> &deformation_gradients,
+                    const MaterialLaw law,
                     CellEnergy<dim, spacedim> &energy)
     {
       std::vector<DeformedState> states;
@@ -44,7 +45,7 @@ namespace springfit
           const Eigen::MatrixXd displacement =
             (F - Eigen::MatrixXd::Identity(spacedim, spacedim)) *
             cell_points<dim, spacedim>(cell);
-          const auto term = energy.evaluate(cell, material, displacement);
+          const auto term = energy.evaluate(law, cell, material, displacement);
           if (!term)
             throw RunError("its finite element has no energy in one of the "
                            "'States'.",
@@ -127,7 +128,7 @@ namespace springfit
     std::map<unsigned int, std::vector<double>> mine;
     run_collectively(communicator, [&]() {
       CellMatrices<dim, spacedim> cell_matrices(element);
-      CellEnergy<dim, spacedim> cell_energy(element, states.material_law);
+      CellEnergy<dim, spacedim> cell_energy(element);
       Progress progress("Fits (" + name + ") of distinct cells",
                         (cells.distinct.size() + n_ranks - 1) / n_ranks,
                         rank == 0);
@@ -143,8 +144,12 @@ namespace springfit
           FitResult result;
           try
             {
-              problem.states = deformed_states<dim, spacedim>(
-                cell, material, states.deformation_gradients, cell_energy);
+              problem.states =
+                deformed_states<dim, spacedim>(cell,
+                                               material,
+                                               states.deformation_gradients,
+                                               states.material_law,
+                                               cell_energy);
               result = fit(problem, method, options);
               check_certificate(result, options);
             }

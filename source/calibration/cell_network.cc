@@ -1,6 +1,8 @@
 #include <springfit/calibration/cell_network.h>
 #include <springfit/springs/kinds_in_space.h>
 
+#include <numeric>
+
 namespace springfit
 {
   namespace
@@ -21,7 +23,7 @@ namespace springfit
   SpringNetwork
   assemble_network(const Mesh<dim, spacedim> &mesh,
                    const DistinctCells &cells,
-                   const std::vector<CellModel> &models,
+                   const ModelOfCell &model_of_cell,
                    const Element<dim, spacedim> &element,
                    const MaterialTable &materials)
   {
@@ -38,9 +40,10 @@ namespace springfit
     for (unsigned int c = 0; c < iterators.size(); ++c)
       {
         const auto &copy = cells.copies[c];
-        for (const auto &family : models[copy.distinct].families)
-          builder.add(placed<dim, spacedim>(scaled(family, copy.scale)),
-                      copy.nodes);
+        if (const CellModel *model = model_of_cell(c))
+          for (const auto &family : model->families)
+            builder.add(placed<dim, spacedim>(scaled(family, copy.scale)),
+                        copy.nodes);
 
         cell_nodes.clear();
         for (const unsigned int v : iterators[c]->vertex_indices())
@@ -51,6 +54,36 @@ namespace springfit
                                materials.at(iterators[c]->material_id())));
       }
     return builder.build();
+  }
+
+  template <int dim, int spacedim>
+  SpringNetwork
+  assemble_network(const Mesh<dim, spacedim> &mesh,
+                   const DistinctCells &cells,
+                   const std::vector<CellModel> &models,
+                   const Element<dim, spacedim> &element,
+                   const MaterialTable &materials)
+  {
+    return assemble_network(
+      mesh,
+      cells,
+      [&](const unsigned int c) { return &models[cells.copies[c].distinct]; },
+      element,
+      materials);
+  }
+
+  template <int dim, int spacedim>
+  Families
+  families_of_cell(const CellModel &model,
+                   const CellCopy &copy,
+                   const Eigen::MatrixXd &nodes)
+  {
+    std::vector<unsigned int> numbers(copy.nodes.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    NetworkBuilder builder(nodes);
+    for (const auto &family : model.families)
+      builder.add(placed<dim, spacedim>(scaled(family, copy.scale)), numbers);
+    return builder.build().families;
   }
 
   template SpringNetwork
@@ -71,4 +104,34 @@ namespace springfit
                       const std::vector<CellModel> &,
                       const Element<3> &,
                       const MaterialTable &);
+  template SpringNetwork
+  assemble_network<2>(const Mesh<2> &,
+                      const DistinctCells &,
+                      const ModelOfCell &,
+                      const Element<2> &,
+                      const MaterialTable &);
+  template SpringNetwork
+  assemble_network<2, 3>(const Mesh<2, 3> &,
+                         const DistinctCells &,
+                         const ModelOfCell &,
+                         const Element<2, 3> &,
+                         const MaterialTable &);
+  template SpringNetwork
+  assemble_network<3>(const Mesh<3> &,
+                      const DistinctCells &,
+                      const ModelOfCell &,
+                      const Element<3> &,
+                      const MaterialTable &);
+  template Families
+  families_of_cell<2, 2>(const CellModel &,
+                         const CellCopy &,
+                         const Eigen::MatrixXd &);
+  template Families
+  families_of_cell<2, 3>(const CellModel &,
+                         const CellCopy &,
+                         const Eigen::MatrixXd &);
+  template Families
+  families_of_cell<3, 3>(const CellModel &,
+                         const CellCopy &,
+                         const Eigen::MatrixXd &);
 } // namespace springfit

@@ -315,6 +315,34 @@ namespace springfit
     return lines;
   }
 
+  std::string
+  with_entries(const std::string &text,
+               const std::map<std::string, std::string> &values)
+  {
+    std::istringstream whole(text);
+    std::map<unsigned int, ParameterLine> changed;
+    for (auto &line : scan_parameters(whole))
+      if (const auto value = values.find(line.entry); value != values.end())
+        {
+          line.value = value->second;
+          changed.emplace(line.line, line);
+        }
+    Assert(changed.size() == values.size(), dealii::ExcInternalError());
+
+    std::istringstream lines(text);
+    std::string result;
+    unsigned int number = 0;
+    for (std::string line; std::getline(lines, line);)
+      {
+        const auto change = changed.find(++number);
+        result += change == changed.end() ? line
+                                          : line.substr(0, line.find('=') + 1) +
+                                              ' ' + change->second.value;
+        result += '\n';
+      }
+    return result;
+  }
+
   void
   check_parameter_file(const std::filesystem::path &file)
   {

@@ -1,4 +1,5 @@
 #include <springfit/mesh/build_mesh.h>
+#include <springfit/mesh/nodes.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/point.h>
@@ -95,6 +96,7 @@ namespace springfit
                                              cells_of<dim>(description),
                                              dealii::SubCellData());
     set_boundary_ids(mesh->triangulation, description);
+    mesh->nodes = vertices_as_nodes(mesh->triangulation);
     if (n_ranks > 1)
       dealii::GridTools::partition_triangulation(
         n_ranks,

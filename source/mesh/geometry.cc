@@ -2,9 +2,11 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 #include <springfit/mesh/build_mesh.h>
+#include <springfit/mesh/file_formats.h>
 #include <springfit/mesh/geometry.h>
 #include <springfit/mesh/jitter.h>
 #include <springfit/mesh/mesh_checks.h>
+#include <springfit/mesh/refine.h>
 #include <springfit/mesh/sizes.h>
 
 #include <deal.II/base/exceptions.h>
@@ -81,6 +83,11 @@ namespace springfit
       "of the tissue's smaller extent. The largest edge that a geometry file is meshed with; a "
       "mesh file has its own. Not for a cell. If empty, " +
         text_of({default_cell_size}) + ". In m.");
+    add_parameter("Refinements",
+                  refinements_,
+                  "How many times each edge of the mesh is divided in two, "
+                  "be it made or read (no unit). Sides that are curved stay "
+                  "as the coarse mesh has them.");
     add_parameter("Jitter",
                   jitter_,
                   "Distort the mesh: each coordinate of every vertex inside "
@@ -126,10 +133,12 @@ namespace springfit
 
 
   template <int spacedim>
-  CellKind
-  Geometry<spacedim>::cell_kind() const
+  Meshing
+  Geometry<spacedim>::meshing() const
   {
-    return value_of(cell_kind_words(), cells_, "Geometry/Cells");
+    return {value_of(cell_kind_words(), cells_, "Geometry/Cells"),
+            cell_size_,
+            refinements_};
   }
 
 
@@ -137,20 +146,30 @@ namespace springfit
   int
   Geometry<spacedim>::dimension_of_cells() const
   {
-    return dimension(cell_kind());
+    return dimension(meshing().cells);
+  }
+
+
+  template <int spacedim>
+  bool
+  Geometry<spacedim>::has_its_own_cells() const
+  {
+    return find_object(object_).check_files != nullptr &&
+           !is_geometry_file(file_);
   }
 
 
   template <int spacedim>
   ObjectRequest
-  Geometry<spacedim>::request(const std::filesystem::path &folder_of_prm) const
+  Geometry<spacedim>::request(const Meshing &meshing,
+                              const std::filesystem::path &folder_of_prm) const
   {
     ObjectRequest request;
-    request.dim       = dimension_of_cells();
+    request.dim       = dimension(meshing.cells);
     request.spacedim  = spacedim;
-    request.cell_kind = cell_kind();
+    request.cell_kind = meshing.cells;
     request.size      = size_;
-    request.cell_size = cell_size_;
+    request.cell_size = meshing.cell_size;
     if (!file_.empty())
       request.file = folder_of_prm / file_;
     request.scale          = scale_;
@@ -163,12 +182,21 @@ namespace springfit
   void
   Geometry<spacedim>::check() const
   {
+    check(meshing());
+  }
+
+
+  template <int spacedim>
+  void
+  Geometry<spacedim>::check(const Meshing &meshing) const
+  {
     const Object &object        = find_object(object_);
-    const ObjectRequest request = this->request("");
+    const ObjectRequest request = this->request(meshing, "");
     if (request.dim > spacedim)
       throw EntryError("Geometry/Cells",
-                       cells_ + " are cells of dimension 3, the scene has "
-                                "dimension 2.",
+                       word_of(cell_kind_words(), meshing.cells) +
+                         " are cells of dimension 3, the scene has "
+                         "dimension 2.",
                        "Set it to triangles or quadrilaterals, or change "
                        "Dimension.");
     if (request.dim < spacedim && !is_simplex(request.cell_kind))
@@ -176,6 +204,14 @@ namespace springfit
                        "a surface in space is made of triangles.",
                        "Split each quadrilateral into two, or set Dimension "
                        "= 2 for a plane mesh.");
+    constexpr unsigned int most_refinements = 5;
+    if (meshing.refinements > most_refinements)
+      throw EntryError("Geometry/Refinements",
+                       std::to_string(meshing.refinements) +
+                         " make too many cells.",
+                       "Give at most " + std::to_string(most_refinements) +
+                         ": each makes 4 cells of one in the plane, 8 in "
+                         "space.");
     object.check(request);
     if (!(jitter_ >= 0. && jitter_ < 0.5))
       throw EntryError("Geometry/Jitter",
@@ -196,7 +232,7 @@ namespace springfit
   {
     const Object &object = find_object(object_);
     if (object.check_files != nullptr)
-      object.check_files(request(folder_of_prm));
+      object.check_files(request(meshing(), folder_of_prm));
   }
 
 
@@ -206,11 +242,23 @@ namespace springfit
   Geometry<spacedim>::create(const MPI_Comm communicator,
                              const std::filesystem::path &folder_of_prm) const
   {
-    check();
-    Assert(dim == dimension_of_cells(), dealii::ExcInternalError());
+    return create<dim>(meshing(), communicator, folder_of_prm);
+  }
+
+
+  template <int spacedim>
+  template <int dim>
+  std::unique_ptr<Mesh<dim, spacedim>>
+  Geometry<spacedim>::create(const Meshing &meshing,
+                             const MPI_Comm communicator,
+                             const std::filesystem::path &folder_of_prm) const
+  {
+    check(meshing);
+    Assert(dim == dimension(meshing.cells), dealii::ExcInternalError());
     MeshDescription description;
     run_on_root(communicator, [&]() {
-      description = find_object(object_).describe(request(folder_of_prm));
+      description =
+        find_object(object_).describe(request(meshing, folder_of_prm));
       if constexpr (dim == spacedim)
         check_mesh(description);
       else
@@ -220,8 +268,11 @@ namespace springfit
     });
     description =
       dealii::Utilities::MPI::broadcast(communicator, description, 0);
-    return build_mesh<dim, spacedim>(
+    auto mesh = build_mesh<dim, spacedim>(
       description, dealii::Utilities::MPI::n_mpi_processes(communicator));
+    for (unsigned int i = 0; i < meshing.refinements; ++i)
+      refine(*mesh);
+    return mesh;
   }
 
 
@@ -233,4 +284,16 @@ namespace springfit
   Geometry<3>::create(MPI_Comm, const std::filesystem::path &) const;
   template std::unique_ptr<Mesh<3>>
   Geometry<3>::create(MPI_Comm, const std::filesystem::path &) const;
+  template std::unique_ptr<Mesh<2>>
+  Geometry<2>::create(const Meshing &,
+                      MPI_Comm,
+                      const std::filesystem::path &) const;
+  template std::unique_ptr<Mesh<2, 3>>
+  Geometry<3>::create(const Meshing &,
+                      MPI_Comm,
+                      const std::filesystem::path &) const;
+  template std::unique_ptr<Mesh<3>>
+  Geometry<3>::create(const Meshing &,
+                      MPI_Comm,
+                      const std::filesystem::path &) const;
 } // namespace springfit

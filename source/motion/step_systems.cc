@@ -20,6 +20,10 @@ namespace springfit
     // several times as many: tests/benchmarks/step_benchmark.cc has the times.
     constexpr double little_fill = 2.;
 
+    // Up to this fill the factors of a matrix that stays are faster than a V
+    // cycle: one or two iterations take the place of a dozen.
+    constexpr double much_fill = 15.;
+
     // New factors for each step are as fast as iterations with kept ones if
     // they take no longer than so many solutions, which is about as many
     // iterations, where nodes resist alike in all directions and where they do
@@ -138,6 +142,10 @@ namespace springfit
         "The equations of a step are solved by conjugate gradients with " +
           preconditioner + ", because " + reason.str()};
     };
+    if (body.elastic->has_constant_tangent() && cost.fill <= much_fill)
+      return with("factors of the matrix, which is the same at all steps",
+                  factor_preconditioner(dim, body),
+                  PreconditionerLife::long_one);
     if (cost.effort <= (is_isotropic ? few_solutions : many_solutions))
       return with("factors of each step's matrix",
                   factor_preconditioner(dim, body),

@@ -3,6 +3,7 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <cstddef>
 #include <tuple>
 
 namespace springfit
@@ -72,16 +73,62 @@ namespace springfit
     }
   } // namespace
 
+  namespace
+  {
+    template <int dim, int spacedim, typename Condition>
+    void
+    write_cells(const std::filesystem::path &path,
+                const Mesh<dim, spacedim> &mesh,
+                const Condition &is_wanted,
+                const std::vector<NodalField> &fields,
+                const std::vector<CellField> &cell_fields)
+    {
+      auto components                = describe(fields, spacedim);
+      const std::size_t n_components = components.names.size();
+      for (const auto &field : cell_fields)
+        components.names.push_back(field.name);
+      std::vector<dealii::DataOutBase::Patch<dim, spacedim>> patches;
+      patches.reserve(mesh.triangulation.n_active_cells());
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        {
+          const unsigned int c = cell->active_cell_index();
+          if (!is_wanted(c))
+            continue;
+          dealii::DataOutBase::Patch<dim, spacedim> patch;
+          patch.reference_cell = cell->reference_cell();
+          patch.patch_index    = patches.size();
+          patch.data.reinit(components.names.size(), cell->n_vertices());
+          for (const unsigned int v : cell->vertex_indices())
+            {
+              patch.vertices[v] = cell->vertex(v);
+              fill(patch, v, fields, cell->vertex_index(v));
+              for (std::size_t f = 0; f < cell_fields.size(); ++f)
+                patch.data(n_components + f, v) = cell_fields[f].values[c];
+            }
+          patches.push_back(patch);
+        }
+      write(path, patches, components);
+    }
+  } // namespace
+
   template <int dim, int spacedim>
   void
   write_mesh_vtu(const std::filesystem::path &path,
                  const Mesh<dim, spacedim> &mesh,
                  const std::vector<NodalField> &fields)
   {
-    write_mesh_vtu(path,
-                   mesh,
-                   std::vector<bool>(mesh.triangulation.n_active_cells(), true),
-                   fields);
+    write_mesh_vtu(path, mesh, fields, std::vector<CellField>());
+  }
+
+  template <int dim, int spacedim>
+  void
+  write_mesh_vtu(const std::filesystem::path &path,
+                 const Mesh<dim, spacedim> &mesh,
+                 const std::vector<NodalField> &fields,
+                 const std::vector<CellField> &cell_fields)
+  {
+    write_cells(
+      path, mesh, [](unsigned int) { return true; }, fields, cell_fields);
   }
 
   template <int dim, int spacedim>
@@ -91,25 +138,8 @@ namespace springfit
                  const std::vector<bool> &cells,
                  const std::vector<NodalField> &fields)
   {
-    const auto components = describe(fields, spacedim);
-    std::vector<dealii::DataOutBase::Patch<dim, spacedim>> patches;
-    patches.reserve(mesh.triangulation.n_active_cells());
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      {
-        if (!cells[cell->active_cell_index()])
-          continue;
-        dealii::DataOutBase::Patch<dim, spacedim> patch;
-        patch.reference_cell = cell->reference_cell();
-        patch.patch_index    = patches.size();
-        patch.data.reinit(components.names.size(), cell->n_vertices());
-        for (const unsigned int v : cell->vertex_indices())
-          {
-            patch.vertices[v] = cell->vertex(v);
-            fill(patch, v, fields, cell->vertex_index(v));
-          }
-        patches.push_back(patch);
-      }
-    write(path, patches, components);
+    write_cells(
+      path, mesh, [&](const unsigned int c) { return cells[c]; }, fields, {});
   }
 
   template <int dim>
@@ -160,6 +190,11 @@ namespace springfit
   template void
   write_mesh_vtu<2>(const std::filesystem::path &,
                     const Mesh<2> &,
+                    const std::vector<NodalField> &,
+                    const std::vector<CellField> &);
+  template void
+  write_mesh_vtu<2>(const std::filesystem::path &,
+                    const Mesh<2> &,
                     const std::vector<NodalField> &);
   template void
   write_mesh_vtu<2>(const std::filesystem::path &,
@@ -169,12 +204,22 @@ namespace springfit
   template void
   write_mesh_vtu<2, 3>(const std::filesystem::path &,
                        const Mesh<2, 3> &,
+                       const std::vector<NodalField> &,
+                       const std::vector<CellField> &);
+  template void
+  write_mesh_vtu<2, 3>(const std::filesystem::path &,
+                       const Mesh<2, 3> &,
                        const std::vector<NodalField> &);
   template void
   write_mesh_vtu<2, 3>(const std::filesystem::path &,
                        const Mesh<2, 3> &,
                        const std::vector<bool> &,
                        const std::vector<NodalField> &);
+  template void
+  write_mesh_vtu<3>(const std::filesystem::path &,
+                    const Mesh<3> &,
+                    const std::vector<NodalField> &,
+                    const std::vector<CellField> &);
   template void
   write_mesh_vtu<3>(const std::filesystem::path &,
                     const Mesh<3> &,

@@ -14,10 +14,11 @@ namespace springfit
                   const Element<dim, spacedim> &element,
                   const MaterialTable &materials)
   {
+    const unsigned int n_points = mesh.nodes.degree + 1;
     const dealii::Quadrature<dim> quadrature =
       is_simplex(mesh.cell_kind)
-        ? dealii::Quadrature<dim>(dealii::QGaussSimplex<dim>(2))
-        : dealii::Quadrature<dim>(dealii::QGauss<dim>(2));
+        ? dealii::Quadrature<dim>(dealii::QGaussSimplex<dim>(n_points))
+        : dealii::Quadrature<dim>(dealii::QGauss<dim>(n_points));
     dealii::FEValues<dim, spacedim> values(*element.mapping,
                                            *element.scalar,
                                            quadrature,
@@ -28,6 +29,7 @@ namespace springfit
       {
         values.reinit(cell);
         const CellMaterial &material = materials.at(cell->material_id());
+        const auto &nodes            = mesh.nodes.of(cell);
         const double factor = material.constants.density * material.thickness;
         for (const unsigned int a : values.dof_indices())
           for (const unsigned int b : values.dof_indices())
@@ -36,12 +38,10 @@ namespace springfit
               for (const unsigned int q : values.quadrature_point_indices())
                 entry += values.shape_value(a, q) * values.shape_value(b, q) *
                          values.JxW(q);
-              entries.emplace_back(cell->vertex_index(a),
-                                   cell->vertex_index(b),
-                                   factor * entry);
+              entries.emplace_back(nodes[a], nodes[b], factor * entry);
             }
       }
-    const unsigned int n = mesh.triangulation.n_vertices();
+    const unsigned int n = mesh.nodes.size();
     Eigen::SparseMatrix<double> mass(n, n);
     mass.setFromTriplets(entries.begin(), entries.end());
     return mass;

@@ -13,47 +13,57 @@ namespace springfit
   namespace
   {
     /**
-     * The vertices of the reference cell with equal weights: on a simplex and
-     * on a hypercube alike this is the rule of the lumped mass matrix.
+     * On simplices and hypercubes alike that of linear elements, of equal
+     * weights, is the rule of the lumped mass matrix.
      */
     template <int dim, int spacedim>
     dealii::Quadrature<dim>
-    vertex_rule(const dealii::FiniteElement<dim, spacedim> &element)
+    nodal_rule(const dealii::FiniteElement<dim, spacedim> &element,
+               const dealii::Quadrature<dim> &quadrature)
     {
-      const auto &points = element.get_unit_support_points();
-      std::vector<double> weights(points.size(),
-                                  element.reference_cell().volume() /
-                                    points.size());
-      return dealii::Quadrature<dim>(points, weights);
+      std::vector<double> weights(element.dofs_per_cell, 0.);
+      for (unsigned int a = 0; a < weights.size(); ++a)
+        for (unsigned int q = 0; q < quadrature.size(); ++q)
+          weights[a] +=
+            quadrature.weight(q) * element.shape_value(a, quadrature.point(q));
+      return dealii::Quadrature<dim>(element.get_unit_support_points(),
+                                     weights);
     }
   } // namespace
 
   template <int dim, int spacedim>
   Element<dim, spacedim>
-  make_element(const CellKind kind)
+  make_element(const CellKind kind, const unsigned int degree)
   {
+    // The square of a quadratic simplex' strain is of degree 2; hyperelastic
+    // energies are not polynomials of few terms.
+    const unsigned int n_points =
+      is_simplex(kind) && degree == 1 ? 1 : degree + 1;
     Element<dim, spacedim> element;
     if (is_simplex(kind))
       {
-        const dealii::FE_SimplexP<dim, spacedim> p1(1);
-        element.mapping =
-          std::make_unique<dealii::MappingFE<dim, spacedim>>(p1);
-        element.quadrature      = dealii::QGaussSimplex<dim>(1);
-        element.face_quadrature = dealii::QGaussSimplex<dim - 1>(2);
-        element.scalar          = p1.clone();
+        element.mapping = std::make_unique<dealii::MappingFE<dim, spacedim>>(
+          dealii::FE_SimplexP<dim, spacedim>(1));
+        element.quadrature      = dealii::QGaussSimplex<dim>(n_points);
+        element.face_quadrature = dealii::QGaussSimplex<dim - 1>(degree + 1);
+        element.scalar =
+          std::make_unique<dealii::FE_SimplexP<dim, spacedim>>(degree);
       }
     else
       {
         element.mapping = std::make_unique<dealii::MappingQ1<dim, spacedim>>();
-        element.quadrature      = dealii::QGauss<dim>(2);
-        element.face_quadrature = dealii::QGauss<dim - 1>(2);
-        element.scalar = std::make_unique<dealii::FE_Q<dim, spacedim>>(1);
+        element.quadrature      = dealii::QGauss<dim>(n_points);
+        element.face_quadrature = dealii::QGauss<dim - 1>(degree + 1);
+        element.scalar = std::make_unique<dealii::FE_Q<dim, spacedim>>(degree);
       }
-    element.nodal_quadrature = vertex_rule(*element.scalar);
+    element.nodal_quadrature = nodal_rule(*element.scalar, element.quadrature);
     return element;
   }
 
-  template Element<2> make_element<2>(CellKind);
-  template Element<2, 3> make_element<2, 3>(CellKind);
-  template Element<3> make_element<3>(CellKind);
+  template Element<2>
+  make_element<2>(CellKind, unsigned int);
+  template Element<2, 3>
+  make_element<2, 3>(CellKind, unsigned int);
+  template Element<3>
+  make_element<3>(CellKind, unsigned int);
 } // namespace springfit

@@ -1,6 +1,8 @@
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/reference/nodal_masses.h>
 
+#include <cstddef>
+
 namespace springfit
 {
   template <int dim, int spacedim>
@@ -10,14 +12,14 @@ namespace springfit
                const MaterialTable &materials)
   {
     CellMatrices<dim, spacedim> matrices(element);
-    Eigen::VectorXd masses =
-      Eigen::VectorXd::Zero(mesh.triangulation.n_vertices());
+    Eigen::VectorXd masses = Eigen::VectorXd::Zero(mesh.nodes.size());
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       {
         const Eigen::VectorXd of_cell =
           matrices.masses(cell, materials.at(cell->material_id()));
-        for (const unsigned int v : cell->vertex_indices())
-          masses[cell->vertex_index(v)] += of_cell[v];
+        const auto &nodes = mesh.nodes.of(cell);
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          masses[nodes[a]] += of_cell[a];
       }
     return masses;
   }

@@ -52,10 +52,10 @@ namespace springfit
   nodes_of_faces(const Mesh<dim, spacedim> &mesh,
                  const Faces<dim, spacedim> &faces)
   {
-    std::vector<bool> nodes(mesh.triangulation.n_vertices(), false);
+    std::vector<bool> nodes(mesh.nodes.size(), false);
     for (const auto &[cell, number] : faces)
-      for (const unsigned int v : cell->face(number)->vertex_indices())
-        nodes[cell->face(number)->vertex_index(v)] = true;
+      for (const unsigned int a : mesh.nodes.of_faces[number])
+        nodes[mesh.nodes.of(cell)[a]] = true;
     return nodes;
   }
 
@@ -66,10 +66,10 @@ namespace springfit
               const std::string &entry)
   {
     const Region<spacedim> region(condition, entry);
-    const auto &vertices = mesh.triangulation.get_vertices();
-    std::vector<bool> nodes(vertices.size());
-    for (unsigned int v = 0; v < vertices.size(); ++v)
-      nodes[v] = region.contains(vertices[v]);
+    const auto &places = mesh.nodes.places;
+    std::vector<bool> nodes(places.size());
+    for (unsigned int v = 0; v < places.size(); ++v)
+      nodes[v] = region.contains(places[v]);
     return nodes;
   }
 

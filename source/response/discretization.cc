@@ -15,14 +15,13 @@ namespace springfit
   Discretization<dim>::Discretization(const Mesh<dim_of_cells, dim> &mesh,
                                       const std::vector<bool> &held,
                                       const MPI_Comm communicator)
-    : nodes_(mesh.triangulation.get_vertices())
-    , held_(held)
-    , communicator_(communicator)
+    : nodes_(mesh.nodes.places), held_(held), communicator_(communicator)
   {
-    const auto element = make_element<dim_of_cells, dim>(mesh.cell_kind);
+    const auto element =
+      make_element<dim_of_cells, dim>(mesh.cell_kind, mesh.nodes.degree);
+    const dealii::FESystem<dim_of_cells, dim> elements(*element.scalar, dim);
     dealii::DoFHandler<dim_of_cells, dim> dof_handler(mesh.triangulation);
-    dof_handler.distribute_dofs(
-      dealii::FESystem<dim_of_cells, dim>(*element.scalar, dim));
+    dof_handler.distribute_dofs(elements);
     dealii::DoFRenumbering::subdomain_wise(dof_handler);
 
     const unsigned int rank =
@@ -34,10 +33,18 @@ namespace springfit
                        : dealii::IndexSet(dof_handler.n_dofs());
 
     dofs_.resize(dim * n_nodes());
+    std::vector<dealii::types::global_dof_index> of_cell(
+      elements.dofs_per_cell);
     for (const auto &cell : dof_handler.active_cell_iterators())
-      for (const unsigned int v : cell->vertex_indices())
-        for (int d = 0; d < dim; ++d)
-          dofs_[dim * cell->vertex_index(v) + d] = cell->vertex_dof_index(v, d);
+      {
+        const auto &nodes = mesh.nodes.of(cell);
+        cell->get_dof_indices(of_cell);
+        for (unsigned int i = 0; i < of_cell.size(); ++i)
+          {
+            const auto [d, a]         = elements.system_to_component_index(i);
+            dofs_[dim * nodes[a] + d] = of_cell[i];
+          }
+      }
 
     for (unsigned int v = 0; v < n_nodes(); ++v)
       for (int d = 0; d < dim; ++d)

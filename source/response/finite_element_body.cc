@@ -13,14 +13,14 @@ namespace springfit
 {
   namespace
   {
-    template <typename Cell>
     Eigen::MatrixXd
-    on_vertices(const Eigen::MatrixXd &displacement, const Cell &cell)
+    columns(const Eigen::MatrixXd &displacement,
+            const std::vector<unsigned int> &nodes)
     {
-      Eigen::MatrixXd of_cell(displacement.rows(), cell->n_vertices());
-      for (const unsigned int v : cell->vertex_indices())
-        of_cell.col(v) = displacement.col(cell->vertex_index(v));
-      return of_cell;
+      Eigen::MatrixXd of_nodes(displacement.rows(), nodes.size());
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        of_nodes.col(a) = displacement.col(nodes[a]);
+      return of_nodes;
     }
 
     template <int dim, int spacedim>
@@ -106,21 +106,51 @@ namespace springfit
     const Element<dim, spacedim> &element,
     const MaterialTable &materials,
     const MaterialLaw law)
-    : FiniteElementBody(all_cells(mesh), element, materials, law)
+    : FiniteElementBody(mesh, all_cells(mesh), element, materials, law)
   {}
 
   template <int dim, int spacedim>
   FiniteElementBody<dim, spacedim>::FiniteElementBody(
+    const Mesh<dim, spacedim> &mesh,
     std::vector<Cell> cells,
     const Element<dim, spacedim> &element,
     const MaterialTable &materials,
     const MaterialLaw law)
-    : cells_(std::move(cells))
+    : mesh_(mesh)
+    , cells_(std::move(cells))
     , element_(element)
     , materials_(materials)
     , law_(law)
-    , energy_(element, law)
-  {}
+    , cell_energy_(element)
+  {
+    if (law != MaterialLaw::linear)
+      for (const auto &cell : cells_)
+        shapes_.push_back(cell_energy_.rest_shape(cell));
+  }
+
+  template <int dim, int spacedim>
+  const CellMaterial &
+  FiniteElementBody<dim, spacedim>::material_of(const std::size_t c) const
+  {
+    return materials_.at(cells_[c]->material_id());
+  }
+
+  template <int dim, int spacedim>
+  std::optional<EnergyTerm>
+  FiniteElementBody<dim, spacedim>::term(
+    const std::size_t c,
+    const Eigen::MatrixXd &displacement) const
+  {
+    const auto &nodes   = mesh_.nodes.of(cells_[c]);
+    const auto of_nodes = columns(displacement, nodes);
+    auto term =
+      law_ == MaterialLaw::linear
+        ? cell_energy_.evaluate(law_, cells_[c], material_of(c), of_nodes)
+        : energy_term(shapes_[c], law_, material_of(c), of_nodes);
+    if (term)
+      term->nodes = nodes;
+    return term;
+  }
 
   template <int dim, int spacedim>
   template <typename F>
@@ -129,13 +159,11 @@ namespace springfit
     const Eigen::MatrixXd &displacement,
     const F &f) const
   {
-    for (const auto &cell : cells_)
+    for (std::size_t c = 0; c < cells_.size(); ++c)
       {
-        const auto term = energy_.evaluate(cell,
-                                           materials_.at(cell->material_id()),
-                                           on_vertices(displacement, cell));
-        Assert(term, dealii::ExcMessage("The state has no finite energy."));
-        f(*term);
+        const auto of_cell = term(c, displacement);
+        Assert(of_cell, dealii::ExcMessage("The state has no finite energy."));
+        f(*of_cell);
       }
   }
 
@@ -145,15 +173,20 @@ namespace springfit
     const Eigen::MatrixXd &displacement) const
   {
     double sum = 0.;
-    for (const auto &cell : cells_)
-      {
-        const auto term = energy_.evaluate(cell,
-                                           materials_.at(cell->material_id()),
-                                           on_vertices(displacement, cell));
-        if (!term)
-          return std::numeric_limits<double>::infinity();
-        sum += term->energy;
-      }
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (law_ == MaterialLaw::linear)
+        sum += term(c, displacement)->energy;
+      else
+        {
+          const auto of_cell =
+            springfit::energy(shapes_[c],
+                              law_,
+                              material_of(c),
+                              columns(displacement, mesh_.nodes.of(cells_[c])));
+          if (!of_cell)
+            return std::numeric_limits<double>::infinity();
+          sum += *of_cell;
+        }
     return sum;
   }
 
@@ -163,11 +196,26 @@ namespace springfit
     const Eigen::MatrixXd &displacement,
     Eigen::MatrixXd &forces) const
   {
-    for_each_term(displacement, [&](const EnergyTerm &term) {
-      for (std::size_t a = 0; a < term.nodes.size(); ++a)
-        forces.col(term.nodes[a]) -=
-          term.gradient.template segment<spacedim>(spacedim * a);
-    });
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      {
+        const auto &nodes = mesh_.nodes.of(cells_[c]);
+        Eigen::MatrixXd gradient;
+        if (law_ == MaterialLaw::linear)
+          gradient =
+            term(c, displacement)->gradient.reshaped(spacedim, nodes.size());
+        else
+          {
+            const auto of_cell = energy_gradient(shapes_[c],
+                                                 law_,
+                                                 material_of(c),
+                                                 columns(displacement, nodes));
+            Assert(of_cell,
+                   dealii::ExcMessage("The state has no finite energy."));
+            gradient = *of_cell;
+          }
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          forces.col(nodes[a]) -= gradient.col(a);
+      }
   }
 
   template <int dim, int spacedim>
@@ -220,9 +268,7 @@ namespace springfit
   {
     for (const auto &cell : cells_)
       {
-        std::vector<unsigned int> nodes;
-        for (const unsigned int v : cell->vertex_indices())
-          nodes.push_back(cell->vertex_index(v));
+        const auto &nodes = mesh_.nodes.of(cell);
         pattern.add_clique(nodes.data(), nodes.size());
       }
   }
@@ -233,12 +279,10 @@ namespace springfit
   {
     std::vector<Cell> mine;
     for (const auto &cell : cells_)
-      if (nodes[cell->vertex_index(0)])
+      if (nodes[mesh_.nodes.of(cell)[0]])
         mine.push_back(cell);
-    return std::make_unique<FiniteElementBody<dim, spacedim>>(std::move(mine),
-                                                              element_,
-                                                              materials_,
-                                                              law_);
+    return std::make_unique<FiniteElementBody<dim, spacedim>>(
+      mesh_, std::move(mine), element_, materials_, law_);
   }
 
   template <int dim, int spacedim>
@@ -248,14 +292,14 @@ namespace springfit
   {
     std::vector<Cell> touching;
     for (const auto &cell : cells_)
-      for (const unsigned int v : cell->vertex_indices())
-        if (nodes[cell->vertex_index(v)])
+      for (const unsigned int v : mesh_.nodes.of(cell))
+        if (nodes[v])
           {
             touching.push_back(cell);
             break;
           }
     return std::make_unique<FiniteElementBody<dim, spacedim>>(
-      std::move(touching), element_, materials_, law_);
+      mesh_, std::move(touching), element_, materials_, law_);
   }
 
   template <int dim, int spacedim>
@@ -264,11 +308,11 @@ namespace springfit
                    const Element<dim, spacedim> &element,
                    const Eigen::MatrixXd &displacement)
   {
-    CellEnergy<dim, spacedim> energy(element, MaterialLaw::linear);
+    CellEnergy<dim, spacedim> energy(element);
     unsigned int n = 0;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      if (!(energy.smallest_jacobian(cell, on_vertices(displacement, cell)) >
-            0.))
+      if (!(energy.smallest_jacobian(
+              cell, columns(displacement, mesh.nodes.of(cell))) > 0.))
         ++n;
     return n;
   }

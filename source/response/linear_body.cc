@@ -131,4 +131,10 @@ namespace springfit
             pattern.add_clique(pair, 2);
           }
   }
+
+  bool
+  LinearBody::has_constant_tangent() const
+  {
+    return true;
+  }
 } // namespace springfit

@@ -9,9 +9,10 @@ namespace springfit
 {
   template <int dim, int spacedim>
   LoadedSurface<dim, spacedim>::LoadedSurface(
+    const Mesh<dim, spacedim> &mesh,
     std::vector<Face> faces,
     const Element<dim, spacedim> &element)
-    : faces_(std::move(faces)), element_(element)
+    : mesh_(mesh), faces_(std::move(faces)), element_(element)
   {
     dealii::FEFaceValues<dim, spacedim> values(
       *element_.mapping,
@@ -69,46 +70,35 @@ namespace springfit
 
   template <int dim, int spacedim>
   Eigen::VectorXd
-  LoadedSurface<dim, spacedim>::shares(const unsigned int n_nodes) const
+  LoadedSurface<dim, spacedim>::shares() const
   {
     dealii::FEFaceValues<dim, spacedim> values(*element_.mapping,
                                                *element_.scalar,
                                                element_.face_quadrature,
                                                dealii::update_values |
                                                  dealii::update_JxW_values);
-    Eigen::VectorXd shares = Eigen::VectorXd::Zero(n_nodes);
+    Eigen::VectorXd shares = Eigen::VectorXd::Zero(mesh_.nodes.size());
     for (const auto &[cell, number] : faces_)
       {
         values.reinit(cell, number);
-        for (const unsigned int v : cell->face(number)->vertex_indices())
-          {
-            // The cell's number of the vertex is that of its shape function.
-            unsigned int a = 0;
-            while (cell->vertex_index(a) != cell->face(number)->vertex_index(v))
-              ++a;
-            for (const unsigned int q : values.quadrature_point_indices())
-              shares[cell->vertex_index(a)] +=
-                values.shape_value(a, q) * values.JxW(q);
-          }
+        for (const unsigned int a : mesh_.nodes.of_faces[number])
+          for (const unsigned int q : values.quadrature_point_indices())
+            shares[mesh_.nodes.of(cell)[a]] +=
+              values.shape_value(a, q) * values.JxW(q);
       }
     return shares;
   }
 
   template <int dim, int spacedim>
   Eigen::MatrixXd
-  LoadedSurface<dim, spacedim>::forces(const Traction &traction,
-                                       const unsigned int n_nodes) const
+  LoadedSurface<dim, spacedim>::forces(const Traction &traction) const
   {
-    const Eigen::VectorXd of_nodes = shares(n_nodes);
-    Eigen::MatrixXd forces         = Eigen::MatrixXd::Zero(spacedim, n_nodes);
-    if (faces_.empty())
-      return forces;
-    const auto &vertices =
-      faces_.front().cell->get_triangulation().get_vertices();
-    for (unsigned int v = 0; v < n_nodes; ++v)
+    const Eigen::VectorXd of_nodes = shares();
+    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(spacedim, of_nodes.size());
+    for (unsigned int v = 0; v < of_nodes.size(); ++v)
       if (of_nodes[v] != 0.)
         {
-          const auto t = traction(vertices[v]);
+          const auto t = traction(mesh_.nodes.places[v]);
           for (int d = 0; d < spacedim; ++d)
             forces(d, v) = of_nodes[v] * t[d];
         }

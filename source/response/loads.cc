@@ -299,10 +299,9 @@ namespace springfit
                        "Name a boundary of the mesh, or widen the condition "
                        "(lengths are in m, and all vertices of a face must "
                        "meet it).");
-    const auto loaded          = nodes_of_faces(mesh, faces);
-    const unsigned int n_nodes = loaded.size();
-    bool felt                  = false;
-    for (unsigned int v = 0; v < n_nodes; ++v)
+    const auto loaded = nodes_of_faces(mesh, faces);
+    bool felt         = false;
+    for (unsigned int v = 0; v < loaded.size(); ++v)
       for (int d = 0; d < spacedim; ++d)
         felt = felt || (loaded[v] && !loading.held[spacedim * v + d]);
     if (!felt)
@@ -310,7 +309,7 @@ namespace springfit
                        "every loaded node is fixed, so that no load is left.",
                        "Load another boundary than the fixed one.");
 
-    const LoadedSurface<dim, spacedim> surface(std::move(faces), element);
+    const LoadedSurface<dim, spacedim> surface(mesh, std::move(faces), element);
     if (surface.mean_normal().norm() < 1e-6)
       throw EntryError(entry,
                        "the loaded surface is closed or symmetric: its mean "
@@ -324,8 +323,7 @@ namespace springfit
       if (load_case.canned)
         load_case.load = load_of_forces(
           thickness *
-          surface.forces(unit_traction(*load_case.canned, axis, surface),
-                         n_nodes));
+          surface.forces(unit_traction(*load_case.canned, axis, surface)));
   }
 
   template <int spacedim>
@@ -357,7 +355,7 @@ namespace springfit
           held.insert(held.end(), spacedim, is_fixed);
         loading.supports.insert(loading.supports.begin(), {"fixed", held});
       }
-    loading.held.assign(spacedim * mesh.triangulation.n_vertices(), false);
+    loading.held.assign(spacedim * mesh.nodes.size(), false);
     for (const auto &support : loading.supports)
       for (std::size_t i = 0; i < loading.held.size(); ++i)
         loading.held[i] = loading.held[i] || support.held[i];

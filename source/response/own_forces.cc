@@ -44,7 +44,7 @@ namespace springfit
                          "there is no boundary face at '" + place + "'.",
                          "Lengths are in m, and all vertices of a face must "
                          "meet a condition; widen it.");
-      return LoadedSurface<dim, spacedim>(std::move(faces), element);
+      return LoadedSurface<dim, spacedim>(mesh, std::move(faces), element);
     }
   } // namespace
 
@@ -78,8 +78,7 @@ namespace springfit
                const std::string &entry)
   {
     const auto surface = surface_at(statement.place, mesh, element, entry);
-    return {surface.shares(mesh.triangulation.n_vertices()) / surface.area(),
-            statement.components};
+    return {surface.shares() / surface.area(), statement.components};
   }
 
   template <int dim, int spacedim>
@@ -91,8 +90,7 @@ namespace springfit
                   const std::string &entry)
   {
     const auto surface = surface_at(statement.place, mesh, element, entry);
-    return {thickness * surface.shares(mesh.triangulation.n_vertices()),
-            statement.components};
+    return {thickness * surface.shares(), statement.components};
   }
 
   template <int spacedim>
@@ -109,20 +107,20 @@ namespace springfit
             const Mesh<dim, spacedim> &mesh,
             const double time)
   {
-    const auto &vertices   = mesh.triangulation.get_vertices();
-    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(spacedim, vertices.size());
+    const auto &places     = mesh.nodes.places;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(spacedim, places.size());
     for (const auto &[weights, components] : forces)
       for (int d = 0; d < spacedim; ++d)
         if (components[d].depends_on_place())
           {
-            for (unsigned int v = 0; v < vertices.size(); ++v)
+            for (unsigned int v = 0; v < places.size(); ++v)
               if (weights[v] != 0.)
                 result(d, v) +=
-                  weights[v] * components[d].value(vertices[v], time);
+                  weights[v] * components[d].value(places[v], time);
           }
         else
           result.row(d) +=
-            components[d].value(vertices[0], time) * weights.transpose();
+            components[d].value(places[0], time) * weights.transpose();
     return result;
   }
 

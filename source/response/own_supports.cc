@@ -99,27 +99,27 @@ namespace springfit
                   const double time,
                   const std::string &entry)
   {
-    const auto &vertices    = mesh.triangulation.get_vertices();
+    const auto &places      = mesh.nodes.places;
     constexpr double unsaid = std::numeric_limits<double>::max();
     Eigen::MatrixXd displacement =
-      Eigen::MatrixXd::Constant(spacedim, vertices.size(), unsaid);
+      Eigen::MatrixXd::Constant(spacedim, places.size(), unsaid);
     for (const auto &[nodes, statement] : supports)
       for (int d = 0; d < spacedim; ++d)
         if (const auto &expression = statement.components[d])
           {
-            double value = expression->value(vertices[0], time);
-            for (unsigned int v = 0; v < vertices.size(); ++v)
+            double value = expression->value(places[0], time);
+            for (unsigned int v = 0; v < places.size(); ++v)
               if (nodes[v])
                 {
                   if (expression->depends_on_place())
-                    value = expression->value(vertices[v], time);
+                    value = expression->value(places[v], time);
                   double &entry_of_node = displacement(d, v);
                   if (entry_of_node != unsaid &&
                       std::abs(entry_of_node - value) > 1e-12 * std::abs(value))
                     {
                       std::ostringstream what;
                       what << components_of_space[d] << " of the node at ("
-                           << vertices[v] << ") m is moved to " << entry_of_node
+                           << places[v] << ") m is moved to " << entry_of_node
                            << " m and to " << value << " m at the time " << time
                            << " s.";
                       throw EntryError(entry,

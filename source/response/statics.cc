@@ -119,16 +119,21 @@ namespace springfit
              " cells turn inside out";
     }
 
-    /** Why a state is no equilibrium to go on from. */
+    /**
+     * Why a state is no equilibrium to go on from.
+     *
+     * @param entries_of_a_node relative to linear elements
+     */
     template <int spacedim>
     std::string
     objection_to_instability(const Discretization<spacedim> &discretization,
+                             const unsigned int entries_of_a_node,
                              const ElasticBody &body,
                              const Eigen::MatrixXd &displacement)
     {
       // Counting takes a direct factorisation: too much for the largest ones.
       constexpr unsigned int most_nodes = spacedim == 2 ? 50000 : 5000;
-      if (discretization.n_nodes() <= most_nodes)
+      if (discretization.n_nodes() * entries_of_a_node <= most_nodes)
         if (const unsigned int n =
               n_unstable_motions(body, displacement, discretization.held());
             n > 0)
@@ -162,10 +167,13 @@ namespace springfit
           std::string objection;
           if (inverted_cells == InvertedCells::refused)
             objection = objection_to_inversion(mesh, element, displacement);
-          return objection.empty() ? objection_to_instability(discretization,
-                                                              judged,
-                                                              displacement)
-                                   : objection;
+          return objection.empty()
+                   ? objection_to_instability(discretization,
+                                              mesh.nodes.degree *
+                                                mesh.nodes.degree,
+                                              judged,
+                                              displacement)
+                   : objection;
         };
       return std::make_unique<NonlinearModel<spacedim>>(
         discretization, std::move(body), make_solver, words, judge, tolerance);
@@ -271,37 +279,70 @@ namespace springfit
     const Element<dim, spacedim> &element,
     const MaterialTable &materials) const
   {
-    if (material_law() == MaterialLaw::linear)
-      return linear_finite_elements(discretization, mesh, element, materials);
+    return finite_elements_of(
+      material_law(), discretization, mesh, element, materials);
+  }
+
+  template <int spacedim>
+  template <int dim>
+  std::unique_ptr<Model>
+  Statics<spacedim>::finite_elements_of(
+    const MaterialLaw law,
+    const Discretization<spacedim> &discretization,
+    const Mesh<dim, spacedim> &mesh,
+    const Element<dim, spacedim> &element,
+    const MaterialTable &materials) const
+  {
+    if (law == MaterialLaw::linear)
+      return std::make_unique<LinearModel<spacedim>>(
+        discretization,
+        FiniteElementBody<dim, spacedim>(mesh, element, materials, law),
+        solver_factory(discretization, smallest_cg_linear<spacedim>),
+        words_of_finite_elements<dim, spacedim>());
     return nonlinear_model(discretization,
                            mesh,
                            element,
                            std::make_unique<FiniteElementBody<dim, spacedim>>(
-                             mesh, element, materials, material_law()),
-                           material_law() == MaterialLaw::stable_neo_hookean
+                             mesh, element, materials, law),
+                           law == MaterialLaw::stable_neo_hookean
                              ? InvertedCells::accepted
                              : InvertedCells::refused,
                            solver_factory(discretization,
                                           smallest_cg_nonlinear<spacedim>),
-                           words_of_nonlinear_finite_elements(material_law()),
+                           words_of_nonlinear_finite_elements(law),
                            tolerance_);
   }
 
   template <int spacedim>
   template <int dim>
   std::unique_ptr<Model>
-  Statics<spacedim>::linear_finite_elements(
-    const Discretization<spacedim> &discretization,
-    const Mesh<dim, spacedim> &mesh,
-    const Element<dim, spacedim> &element,
-    const MaterialTable &materials) const
+  Statics<spacedim>::body(const Discretization<spacedim> &discretization,
+                          const Mesh<dim, spacedim> &mesh,
+                          const Element<dim, spacedim> &element,
+                          std::unique_ptr<const BodyOfMembers> body,
+                          const ModelWords &words,
+                          const Kinematics kinematics) const
   {
+    if (kinematics == Kinematics::nonlinear)
+      return nonlinear_model(discretization,
+                             mesh,
+                             element,
+                             std::move(body),
+                             InvertedCells::accepted,
+                             solver_factory(discretization,
+                                            smallest_cg_nonlinear<spacedim>),
+                             words,
+                             tolerance_);
     return std::make_unique<LinearModel<spacedim>>(
-      discretization,
-      FiniteElementBody<dim, spacedim>(
-        mesh, element, materials, MaterialLaw::linear),
-      solver_factory(discretization, smallest_cg_linear<spacedim>),
-      words_of_finite_elements<dim, spacedim>());
+      discretization, *body, linear_solvers(discretization), words);
+  }
+
+  template <int spacedim>
+  SolverFactory<spacedim>
+  Statics<spacedim>::linear_solvers(
+    const Discretization<spacedim> &discretization) const
+  {
+    return solver_factory(discretization, smallest_cg_linear<spacedim>);
   }
 
   template <int spacedim>
@@ -341,10 +382,18 @@ namespace springfit
                               const Element<2> &,
                               const MaterialTable &) const;
   template std::unique_ptr<Model>
-  Statics<2>::linear_finite_elements(const Discretization<2> &,
-                                     const Mesh<2> &,
-                                     const Element<2> &,
-                                     const MaterialTable &) const;
+  Statics<2>::finite_elements_of(MaterialLaw,
+                                 const Discretization<2> &,
+                                 const Mesh<2> &,
+                                 const Element<2> &,
+                                 const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<2>::body(const Discretization<2> &,
+                   const Mesh<2> &,
+                   const Element<2> &,
+                   std::unique_ptr<const BodyOfMembers>,
+                   const ModelWords &,
+                   Kinematics) const;
   template std::unique_ptr<Model>
   Statics<2>::springs(const Discretization<2> &,
                       const Mesh<2> &,
@@ -358,10 +407,18 @@ namespace springfit
                               const Element<2, 3> &,
                               const MaterialTable &) const;
   template std::unique_ptr<Model>
-  Statics<3>::linear_finite_elements(const Discretization<3> &,
-                                     const Mesh<2, 3> &,
-                                     const Element<2, 3> &,
-                                     const MaterialTable &) const;
+  Statics<3>::finite_elements_of(MaterialLaw,
+                                 const Discretization<3> &,
+                                 const Mesh<2, 3> &,
+                                 const Element<2, 3> &,
+                                 const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<3>::body(const Discretization<3> &,
+                   const Mesh<2, 3> &,
+                   const Element<2, 3> &,
+                   std::unique_ptr<const BodyOfMembers>,
+                   const ModelWords &,
+                   Kinematics) const;
   template std::unique_ptr<Model>
   Statics<3>::springs(const Discretization<3> &,
                       const Mesh<2, 3> &,
@@ -375,10 +432,18 @@ namespace springfit
                               const Element<3> &,
                               const MaterialTable &) const;
   template std::unique_ptr<Model>
-  Statics<3>::linear_finite_elements(const Discretization<3> &,
-                                     const Mesh<3> &,
-                                     const Element<3> &,
-                                     const MaterialTable &) const;
+  Statics<3>::finite_elements_of(MaterialLaw,
+                                 const Discretization<3> &,
+                                 const Mesh<3> &,
+                                 const Element<3> &,
+                                 const MaterialTable &) const;
+  template std::unique_ptr<Model>
+  Statics<3>::body(const Discretization<3> &,
+                   const Mesh<3> &,
+                   const Element<3> &,
+                   std::unique_ptr<const BodyOfMembers>,
+                   const ModelWords &,
+                   Kinematics) const;
   template std::unique_ptr<Model>
   Statics<3>::springs(const Discretization<3> &,
                       const Mesh<3> &,

@@ -17,6 +17,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace springfit
 {
@@ -215,12 +216,11 @@ namespace springfit
 
   template <int dim, int spacedim>
   CalibratedScene<dim, spacedim>
-  make_scene(const Scene<spacedim> &scene, Session &session)
+  scene_of(std::unique_ptr<Mesh<dim, spacedim>> made,
+           const Scene<spacedim> &scene)
   {
-    dealii::TimerOutput::Scope scope(session.timer(), "Mesh");
     CalibratedScene<dim, spacedim> calibrated;
-    calibrated.mesh =
-      scene.geometry.template create<dim>(session.communicator(), scene.folder);
+    calibrated.mesh  = std::move(made);
     const auto &mesh = *calibrated.mesh;
     scene.fit.check_cells(mesh.cell_kind);
     calibrated.element   = make_element<dim, spacedim>(mesh.cell_kind);
@@ -232,7 +232,19 @@ namespace springfit
       calibrated.volume +=
         cell_matrices.volume(cell) *
         calibrated.materials.at(cell->material_id()).thickness;
+    return calibrated;
+  }
 
+  template <int dim, int spacedim>
+  CalibratedScene<dim, spacedim>
+  make_scene(const Scene<spacedim> &scene, Session &session)
+  {
+    dealii::TimerOutput::Scope scope(session.timer(), "Mesh");
+    auto calibrated =
+      scene_of<dim>(scene.geometry.template create<dim>(session.communicator(),
+                                                        scene.folder),
+                    scene);
+    const auto &mesh = *calibrated.mesh;
     session.print(formatted("Mesh: %u nodes, %u %s%s, %s m, %.6g m^3\n",
                             mesh.triangulation.n_vertices(),
                             mesh.triangulation.n_active_cells(),
@@ -291,6 +303,12 @@ namespace springfit
     });
   }
 
+  template CalibratedScene<2>
+  scene_of<2>(std::unique_ptr<Mesh<2>>, const Scene<2> &);
+  template CalibratedScene<2, 3>
+  scene_of<2, 3>(std::unique_ptr<Mesh<2, 3>>, const Scene<3> &);
+  template CalibratedScene<3>
+  scene_of<3>(std::unique_ptr<Mesh<3>>, const Scene<3> &);
   template CalibratedScene<2>
   make_scene<2>(const Scene<2> &, Session &);
   template CalibratedScene<2, 3>

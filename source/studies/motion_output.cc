@@ -120,9 +120,10 @@ namespace springfit
                            "the boundary '" + boundary + "' has no faces.",
                            "Name another one.");
         name("mean_u_", boundary);
-        const LoadedSurface<dim, spacedim> surface(std::move(faces), element);
-        result.weights.push_back(
-          surface.shares(mesh.triangulation.n_vertices()) / surface.area());
+        const LoadedSurface<dim, spacedim> surface(mesh,
+                                                   std::move(faces),
+                                                   element);
+        result.weights.push_back(surface.shares() / surface.area());
       }
     for (const auto &support : loading.supports)
       {

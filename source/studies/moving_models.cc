@@ -104,58 +104,6 @@ namespace springfit
           cells.push_back(cell);
       return cells;
     }
-
-    template <int dim, int spacedim>
-    std::unique_ptr<MovingModel>
-    finite_elements_in_motion(const Scene<spacedim> &scene,
-                              const CalibratedScene<dim, spacedim> &calibrated,
-                              const DynamicsSettings<spacedim> &settings,
-                              const Eigen::MatrixXd &nodes,
-                              const Remains &remains)
-    {
-      const MaterialLaw law = scene.statics.material_law();
-      const auto &mesh      = *calibrated.mesh;
-      auto model            = std::make_unique<MovingModel>();
-      model->name = model->fit = "fem";
-      model->enrichment        = "none";
-      const Kinematics kinematics =
-        law == MaterialLaw::linear ? Kinematics::linear : Kinematics::nonlinear;
-      model->kinematics = word_of(kinematics_words(), kinematics);
-      model->elastic =
-        with_kinematics(std::make_unique<FiniteElementBody<dim, spacedim>>(
-                          cells_left(mesh, remains),
-                          calibrated.element,
-                          calibrated.materials,
-                          law),
-                        kinematics,
-                        nodes);
-      model->body.mass =
-        nodal_masses(mesh, calibrated.element, calibrated.materials);
-      if (settings.mass == MassKind::consistent)
-        model->body.consistent_mass =
-          consistent_mass(mesh, calibrated.element, calibrated.materials);
-      return model;
-    }
-
-    std::unique_ptr<MovingModel>
-    network_in_motion(const CalibratedNetwork &network,
-                      const SpringNetwork &springs,
-                      const Kinematics kinematics,
-                      const double spring_damper)
-    {
-      auto model        = std::make_unique<MovingModel>();
-      model->name       = network.name + suffix_of(kinematics);
-      model->fit        = network.fit;
-      model->enrichment = network.enrichment;
-      model->kinematics = word_of(kinematics_words(), kinematics);
-      model->elastic   = with_kinematics(std::make_unique<NetworkBody>(springs),
-                                       kinematics,
-                                       springs.nodes);
-      model->body.mass = Eigen::Map<const Eigen::VectorXd>(springs.mass.data(),
-                                                           springs.mass.size());
-      model->body.dampers = dampers_of(springs, spring_damper);
-      return model;
-    }
   } // namespace
 
   template <int dim>
@@ -193,6 +141,101 @@ namespace springfit
   }
 
   template <int dim, int spacedim>
+  std::unique_ptr<MovingModel>
+  finite_elements_in_motion(const MaterialLaw law,
+                            const CalibratedScene<dim, spacedim> &calibrated,
+                            const Eigen::MatrixXd &nodes,
+                            const Remains &remains)
+  {
+    const auto &mesh = *calibrated.mesh;
+    auto model       = std::make_unique<MovingModel>();
+    model->name = model->fit = "fem";
+    model->enrichment        = "none";
+    const Kinematics kinematics =
+      law == MaterialLaw::linear ? Kinematics::linear : Kinematics::nonlinear;
+    model->kinematics = word_of(kinematics_words(), kinematics);
+    model->elastic =
+      with_kinematics(std::make_unique<FiniteElementBody<dim, spacedim>>(
+                        mesh,
+                        cells_left(mesh, remains),
+                        calibrated.element,
+                        calibrated.materials,
+                        law),
+                      kinematics,
+                      nodes);
+    model->body.mass =
+      nodal_masses(mesh, calibrated.element, calibrated.materials);
+    return model;
+  }
+
+  std::unique_ptr<MovingModel>
+  body_in_motion(std::unique_ptr<const ElasticBody> body,
+                 const Kinematics kinematics,
+                 const SpringNetwork &network)
+  {
+    auto model = std::make_unique<MovingModel>();
+    model->elastic =
+      with_kinematics(std::move(body), kinematics, network.nodes);
+    model->body.mass = Eigen::Map<const Eigen::VectorXd>(network.mass.data(),
+                                                         network.mass.size());
+    return model;
+  }
+
+  std::unique_ptr<MovingModel>
+  network_in_motion(const CalibratedNetwork &network,
+                    const SpringNetwork &springs,
+                    const Kinematics kinematics,
+                    const double spring_damper)
+  {
+    auto model          = body_in_motion(std::make_unique<NetworkBody>(springs),
+                                kinematics,
+                                springs);
+    model->name         = network.name + suffix_of(kinematics);
+    model->fit          = network.fit;
+    model->enrichment   = network.enrichment;
+    model->kinematics   = word_of(kinematics_words(), kinematics);
+    model->body.dampers = dampers_of(springs, spring_damper);
+    return model;
+  }
+
+  template <int spacedim>
+  void
+  set_in_motion(const DynamicsSettings<spacedim> &settings,
+                Excitation &excitation,
+                MovingModel &model)
+  {
+    const double size = std::numeric_limits<double>::epsilon() *
+                        excitation.nodes.cwiseAbs().maxCoeff();
+    const auto stiffness =
+      stiffness_at_rest(*model.elastic, spacedim, excitation.nodes.cols());
+    for (auto &obstacle : excitation.obstacles)
+      if (obstacle.stiffness == 0.)
+        obstacle.stiffness = 10. * stiffness.mean_diagonal;
+    model.body.elastic  = model.elastic.get();
+    model.body.damping  = settings.damping;
+    model.body.rounding = size * stiffness.norm;
+    start(settings.begin,
+          1e-6 * (settings.end - settings.begin),
+          excitation,
+          model);
+    // Newton's method goes on where one solution ends.
+    const double tolerance = settings.newton.n_iterations == 1
+                               ? settings.newton.tolerance
+                               : std::min(1e-6, settings.newton.tolerance);
+    auto chosen            = make_step_system(spacedim,
+                                   model.body,
+                                   tolerance,
+                                   settings.newton.n_iterations == 1
+                                                ? WhereIndefinite::convex_tangent
+                                                : WhereIndefinite::factors);
+    model.system           = std::move(chosen.system);
+    model.reason           = chosen.reason;
+    if (settings.integrator == Integrator::generalised_alpha ||
+        settings.integrator == Integrator::newmark)
+      set_acceleration(model.body, *model.system, model.state);
+  }
+
+  template <int dim, int spacedim>
   std::vector<std::unique_ptr<MovingModel>>
   make_moving_models(const Scene<spacedim> &scene,
                      const CalibratedScene<dim, spacedim> &calibrated,
@@ -202,8 +245,15 @@ namespace springfit
   {
     std::vector<std::unique_ptr<MovingModel>> models;
     if (settings.has_finite_elements)
-      models.push_back(finite_elements_in_motion(
-        scene, calibrated, settings, excitation.nodes, remains));
+      {
+        models.push_back(finite_elements_in_motion(
+          scene.statics.material_law(), calibrated, excitation.nodes, remains));
+        if (settings.mass == MassKind::consistent)
+          models.back()->body.consistent_mass =
+            consistent_mass(*calibrated.mesh,
+                            calibrated.element,
+                            calibrated.materials);
+      }
     for (const auto &network : calibrated.networks)
       for (const Kinematics kinematics : scene.statics.kinematics())
         models.push_back(
@@ -211,39 +261,8 @@ namespace springfit
                             opened(network.network, *calibrated.mesh, remains),
                             kinematics,
                             settings.spring_damper));
-
-    const double size = std::numeric_limits<double>::epsilon() *
-                        excitation.nodes.cwiseAbs().maxCoeff();
     for (auto &model : models)
-      {
-        const auto stiffness =
-          stiffness_at_rest(*model->elastic, spacedim, excitation.nodes.cols());
-        for (auto &obstacle : excitation.obstacles)
-          if (obstacle.stiffness == 0.)
-            obstacle.stiffness = 10. * stiffness.mean_diagonal;
-        model->body.elastic  = model->elastic.get();
-        model->body.damping  = settings.damping;
-        model->body.rounding = size * stiffness.norm;
-        start(settings.begin,
-              1e-6 * (settings.end - settings.begin),
-              excitation,
-              *model);
-        // Newton's method goes on where one solution ends.
-        const double tolerance = settings.newton.n_iterations == 1
-                                   ? settings.newton.tolerance
-                                   : std::min(1e-6, settings.newton.tolerance);
-        auto chosen            = make_step_system(spacedim,
-                                       model->body,
-                                       tolerance,
-                                       settings.newton.n_iterations == 1
-                                                    ? WhereIndefinite::convex_tangent
-                                                    : WhereIndefinite::factors);
-        model->system          = std::move(chosen.system);
-        model->reason          = chosen.reason;
-        if (settings.integrator == Integrator::generalised_alpha ||
-            settings.integrator == Integrator::newmark)
-          set_acceleration(model->body, *model->system, model->state);
-      }
+      set_in_motion(settings, excitation, *model);
     return models;
   }
 
@@ -269,6 +288,25 @@ namespace springfit
                   const Loading &,
                   const LoadCase &,
                   const DynamicsSettings<3> &);
+  template std::unique_ptr<MovingModel>
+  finite_elements_in_motion(MaterialLaw,
+                            const CalibratedScene<2> &,
+                            const Eigen::MatrixXd &,
+                            const Remains &);
+  template std::unique_ptr<MovingModel>
+  finite_elements_in_motion(MaterialLaw,
+                            const CalibratedScene<2, 3> &,
+                            const Eigen::MatrixXd &,
+                            const Remains &);
+  template std::unique_ptr<MovingModel>
+  finite_elements_in_motion(MaterialLaw,
+                            const CalibratedScene<3> &,
+                            const Eigen::MatrixXd &,
+                            const Remains &);
+  template void
+  set_in_motion(const DynamicsSettings<2> &, Excitation &, MovingModel &);
+  template void
+  set_in_motion(const DynamicsSettings<3> &, Excitation &, MovingModel &);
   template std::vector<std::unique_ptr<MovingModel>>
   make_moving_models(const Scene<2> &,
                      const CalibratedScene<2> &,

@@ -13,31 +13,6 @@ namespace springfit
 {
   namespace
   {
-    /**
-     * The factor of a canned load such that the linear finite elements deform
-     * as asked; 1 of another one.
-     *
-     * @param displacement theirs under the load as it is
-     * @throws EntryError when it moves nothing.
-     */
-    double
-    scale_of(const LoadCase &load_case,
-             const Loading &loading,
-             const Eigen::MatrixXd &displacement)
-    {
-      const double largest = largest_displacement(displacement);
-      if (!(largest > 0.))
-        throw EntryError("Loads/Cases",
-                         "the load '" + load_case.name + "' moves nothing.",
-                         load_case.canned
-                           ? "Load another boundary."
-                           : "Load something that is not held; where loads "
-                             "depend on t, set 'Time' in section Loads.");
-      return load_case.canned
-               ? loading.pull->deformation * loading.pull->extent / largest
-               : 1.;
-    }
-
     /** All cases scaled, with the response of the linear finite elements. */
     template <int dim, int spacedim>
     std::vector<CaseResult>
@@ -46,11 +21,11 @@ namespace springfit
                 const CalibratedScene<dim, spacedim> &calibrated,
                 const Loading &loading)
     {
-      const auto model =
-        scene.statics.linear_finite_elements(discretization,
-                                             *calibrated.mesh,
-                                             calibrated.element,
-                                             calibrated.materials);
+      const auto model = scene.statics.finite_elements_of(MaterialLaw::linear,
+                                                          discretization,
+                                                          *calibrated.mesh,
+                                                          calibrated.element,
+                                                          calibrated.materials);
       std::vector<CaseResult> results;
       for (const auto &load_case : loading.cases)
         {
@@ -182,6 +157,24 @@ namespace springfit
     }
   } // namespace
 
+  double
+  scale_of(const LoadCase &load_case,
+           const Loading &loading,
+           const Eigen::MatrixXd &displacement)
+  {
+    const double largest = largest_displacement(displacement);
+    if (!(largest > 0.))
+      throw EntryError("Loads/Cases",
+                       "the load '" + load_case.name + "' moves nothing.",
+                       load_case.canned
+                         ? "Load another boundary."
+                         : "Load something that is not held; where loads "
+                           "depend on t, set 'Time' in section Loads.");
+    return load_case.canned
+             ? loading.pull->deformation * loading.pull->extent / largest
+             : 1.;
+  }
+
   template <int dim, int spacedim>
   std::vector<CaseResult>
   find_references(const Scene<spacedim> &scene,
@@ -215,11 +208,11 @@ namespace springfit
     const Discretization<spacedim> discretization(*calibrated.mesh,
                                                   loading.held,
                                                   session.communicator());
-    const auto model =
-      scene.statics.linear_finite_elements(discretization,
-                                           *calibrated.mesh,
-                                           calibrated.element,
-                                           calibrated.materials);
+    const auto model = scene.statics.finite_elements_of(MaterialLaw::linear,
+                                                        discretization,
+                                                        *calibrated.mesh,
+                                                        calibrated.element,
+                                                        calibrated.materials);
     for (auto &load_case : loading.cases)
       if (load_case.canned)
         load_case.load.forces *=

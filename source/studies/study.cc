@@ -11,7 +11,9 @@ namespace springfit
       {StudyKind::calibrate, "calibrate"},
       {StudyKind::compare, "compare"},
       {StudyKind::sweep, "sweep"},
-      {StudyKind::dynamics, "dynamics"}};
+      {StudyKind::dynamics, "dynamics"},
+      {StudyKind::tradeoff, "tradeoff"},
+      {StudyKind::adapt, "adapt"}};
     return table;
   }
 
@@ -31,6 +33,14 @@ namespace springfit
         factor.value({}, time);
     }
   } // namespace
+
+  template <int dim>
+  void
+  complete_study(const StudyKind study, Scene<dim> &scene)
+  {
+    if (study == StudyKind::tradeoff)
+      scene.tradeoff.choose_models();
+  }
 
   template <int dim>
   void
@@ -79,6 +89,27 @@ namespace springfit
           scene.fit.check_states(scene.statics.material_law());
           check_motion(scene);
           break;
+        case StudyKind::tradeoff:
+          if (scene.fit.needs_responses())
+            throw EntryError("Fit/Fields",
+                             "'responses' are those of one mesh.",
+                             "Set 'Study = compare', or leave them out.");
+          scene.loads.check();
+          scene.statics.check();
+          scene.fit.check_states(scene.statics.material_law());
+          check_motion(scene);
+          scene.tradeoff.check(scene.geometry);
+          break;
+        case StudyKind::adapt:
+          if (scene.fit.scope() == Scope::object || scene.fit.has_states())
+            throw EntryError("Fit/Scope",
+                             "the models are of single cells at rest.",
+                             "Set it to cell, and leave 'States' empty.");
+          scene.loads.check();
+          scene.statics.check();
+          scene.dynamics.settings();
+          scene.adapt.settings();
+          break;
       }
   }
 
@@ -100,6 +131,10 @@ namespace springfit
             return sweep(scene, session);
           case StudyKind::dynamics:
             return dynamics<dim, spacedim>(scene, session);
+          case StudyKind::tradeoff:
+            return tradeoff<dim, spacedim>(scene, session);
+          case StudyKind::adapt:
+            return adapt<dim, spacedim>(scene, session);
         }
     }
   } // namespace
@@ -116,6 +151,10 @@ namespace springfit
       run_study_of_cells<3>(study, scene, session);
   }
 
+  template void
+  complete_study<2>(StudyKind, Scene<2> &);
+  template void
+  complete_study<3>(StudyKind, Scene<3> &);
   template void
   check_study<2>(StudyKind, const Scene<2> &);
   template void

@@ -67,7 +67,7 @@ namespace
                      const Eigen::MatrixXd &displacement)
   {
     const auto element = make_element<dim>(mesh.cell_kind);
-    CellEnergy<dim> energy(element, law);
+    CellEnergy<dim> energy(element);
     Eigen::MatrixXd K =
       Eigen::MatrixXd::Zero(displacement.size(), displacement.size());
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
@@ -76,10 +76,11 @@ namespace
         for (const unsigned int v : cell->vertex_indices())
           u.col(v) = displacement.col(cell->vertex_index(v));
         const auto term =
-          energy.evaluate(cell, materials.at(cell->material_id()), u);
-        for (std::size_t a = 0; a < term->nodes.size(); ++a)
-          for (std::size_t b = 0; b < term->nodes.size(); ++b)
-            K.block(dim * term->nodes[a], dim * term->nodes[b], dim, dim) +=
+          energy.evaluate(law, cell, materials.at(cell->material_id()), u);
+        const auto &nodes = mesh.nodes.of(cell);
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          for (std::size_t b = 0; b < nodes.size(); ++b)
+            K.block(dim * nodes[a], dim * nodes[b], dim, dim) +=
               term->hessian.block(dim * a, dim * b, dim, dim);
       }
     return K;

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <istream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,15 @@ namespace springfit
    */
   void
   read_parameters(dealii::ParameterHandler &prm, const ParameterSource &source);
+
+  /**
+   * The text of a parameter file with other values of some entries, by their
+   * sections and names as in "Geometry/Cell size": each must have a `set` line
+   * in it, as files have that name all entries.
+   */
+  std::string
+  with_entries(const std::string &text,
+               const std::map<std::string, std::string> &values);
 
   /**
    * Read a single top-level entry and ignore all others; empty when it is not

@@ -15,6 +15,19 @@
 
 namespace springfit
 {
+  /** Of which cells an object is made. */
+  struct Meshing
+  {
+    CellKind cells;
+
+    /** Of each direction or of all, m; empty: that of the file. */
+    std::vector<double> cell_size;
+
+    /** How many times each edge is divided in two, then. */
+    unsigned int refinements;
+  };
+
+
   /**
    * The section Geometry: which object, of which cells.
    */
@@ -58,22 +71,39 @@ namespace springfit
     create(MPI_Comm communicator,
            const std::filesystem::path &folder_of_prm) const;
 
+    /** The same of other cells. */
+    template <int dim = spacedim>
+    std::unique_ptr<Mesh<dim, spacedim>>
+    create(const Meshing &meshing,
+           MPI_Comm communicator,
+           const std::filesystem::path &folder_of_prm) const;
+
+    /** What the entries say. */
+    Meshing
+    meshing() const;
+
+    /** Whether the object is a file of cells, which only refinements change. */
+    bool
+    has_its_own_cells() const;
+
   private:
     /** Where no Size is given, set the entry to the object's own. */
     void
     complete();
 
     ObjectRequest
-    request(const std::filesystem::path &folder_of_prm) const;
+    request(const Meshing &meshing,
+            const std::filesystem::path &folder_of_prm) const;
 
-    CellKind
-    cell_kind() const;
+    void
+    check(const Meshing &meshing) const;
 
     std::string object_ = "box";
     std::string cells_  = spacedim == 2 ? "quadrilaterals" : "hexahedra";
     std::vector<double> size_;
     std::vector<double> cell_size_;
-    double jitter_ = 0.;
+    unsigned int refinements_ = 0;
+    double jitter_            = 0.;
     std::string file_;
     std::string material_array_;
     double scale_ = 1.;

@@ -3,6 +3,7 @@
 
 #include <springfit/core/cell_kind.h>
 #include <springfit/mesh/interval.h>
+#include <springfit/mesh/nodes.h>
 
 #include <deal.II/grid/tria.h>
 
@@ -27,6 +28,10 @@ namespace springfit
   {
     CellKind cell_kind;
     dealii::Triangulation<dim, spacedim> triangulation;
+
+    /** What bears displacements: the vertices, unless elements are quadratic.
+     */
+    Nodes<spacedim> nodes;
 
     /**
      * Names of boundary ids and material ids, where there are any: an id may

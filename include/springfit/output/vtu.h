@@ -30,6 +30,21 @@ namespace springfit
                  const Mesh<dim, spacedim> &mesh,
                  const std::vector<NodalField> &fields);
 
+  /** A number for each cell, by active cell index. */
+  struct CellField
+  {
+    std::string name;
+    Eigen::VectorXd values;
+  };
+
+  /** With numbers of the cells besides. */
+  template <int dim, int spacedim>
+  void
+  write_mesh_vtu(const std::filesystem::path &path,
+                 const Mesh<dim, spacedim> &mesh,
+                 const std::vector<NodalField> &fields,
+                 const std::vector<CellField> &cell_fields);
+
   /**
    * The same of some cells, of which @p cells has a flag each, by active cell
    * index.

@@ -13,8 +13,9 @@ namespace springfit
 {
   /**
    * What deal.II needs to integrate on the cells of one kind: the scalar
-   * linear element (P1 or Q1), its mapping, and quadratures that are exact
-   * for its stiffness on affine cells.
+   * element (P1 or Q1, of degree 2 P2 or Q2), the mapping of cells with
+   * straight edges, and quadratures that are exact for its stiffness on affine
+   * cells.
    */
   template <int dim, int spacedim = dim>
   struct Element
@@ -24,13 +25,16 @@ namespace springfit
     dealii::Quadrature<dim> quadrature;
     dealii::Quadrature<dim - 1> face_quadrature;
 
-    /** One point per vertex, in the order of the vertices. */
+    /**
+     * The element's nodes, in their order, with the integrals of their shape
+     * functions.
+     */
     dealii::Quadrature<dim> nodal_quadrature;
   };
 
   template <int dim, int spacedim = dim>
   Element<dim, spacedim>
-  make_element(CellKind kind);
+  make_element(CellKind kind, unsigned int degree = 1);
 } // namespace springfit
 
 #endif

@@ -64,6 +64,13 @@ namespace springfit
     /** The nodes that have entries in the tangent with each other. */
     virtual void
     add_to_pattern(NodePattern &pattern) const = 0;
+
+    /** Whether the tangent is the same at all displacements. */
+    virtual bool
+    has_constant_tangent() const
+    {
+      return false;
+    }
   };
 
 

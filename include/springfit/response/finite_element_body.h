@@ -12,7 +12,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace springfit
@@ -30,7 +32,9 @@ namespace springfit
                       const MaterialTable &materials,
                       MaterialLaw law);
 
-    FiniteElementBody(std::vector<Cell> cells,
+    /** Of some cells of the mesh. */
+    FiniteElementBody(const Mesh<dim, spacedim> &mesh,
+                      std::vector<Cell> cells,
                       const Element<dim, spacedim> &element,
                       const MaterialTable &materials,
                       MaterialLaw law);
@@ -68,18 +72,29 @@ namespace springfit
     touching(const std::vector<bool> &nodes) const override;
 
   private:
+    const CellMaterial &
+    material_of(std::size_t c) const;
+
+    /** Of cells_[c]; nothing where it has no finite energy. */
+    std::optional<EnergyTerm>
+    term(std::size_t c, const Eigen::MatrixXd &displacement) const;
+
     /** Calls @p f with the energy term of each cell; of finite energy. */
     template <typename F>
     void
     for_each_term(const Eigen::MatrixXd &displacement, const F &f) const;
 
+    const Mesh<dim, spacedim> &mesh_;
     const std::vector<Cell> cells_;
     const Element<dim, spacedim> &element_;
     const MaterialTable materials_;
     const MaterialLaw law_;
 
     // deal.II's values move from cell to cell.
-    mutable CellEnergy<dim, spacedim> energy_;
+    mutable CellEnergy<dim, spacedim> cell_energy_;
+
+    /** Of all cells, unless the law is linear. */
+    std::vector<RestShape<dim, spacedim>> shapes_;
   };
 
 

@@ -44,6 +44,9 @@ namespace springfit
     void
     add_to_pattern(NodePattern &pattern) const override;
 
+    bool
+    has_constant_tangent() const override;
+
   private:
     const int dim_;
     Eigen::SparseMatrix<double> stiffness_; // row dim * v + d

@@ -28,7 +28,9 @@ namespace springfit
     using Traction = std::function<dealii::Tensor<1, spacedim>(
       const dealii::Point<spacedim> &)>;
 
-    LoadedSurface(std::vector<Face> faces,
+    /** @p mesh and @p element must outlive the object. */
+    LoadedSurface(const Mesh<dim, spacedim> &mesh,
+                  std::vector<Face> faces,
                   const Element<dim, spacedim> &element);
 
     /** m^2, or m in 2-d. */
@@ -48,7 +50,7 @@ namespace springfit
 
     /** The integrals of the nodes' shape functions over it, m^2 (2-d: m). */
     Eigen::VectorXd
-    shares(unsigned int n_nodes) const;
+    shares() const;
 
     /**
      * The nodal forces of a traction, the traction at node a times its share,
@@ -58,9 +60,10 @@ namespace springfit
      * that gives the lumped masses too.
      */
     Eigen::MatrixXd
-    forces(const Traction &traction, unsigned int n_nodes) const;
+    forces(const Traction &traction) const;
 
   private:
+    const Mesh<dim, spacedim> &mesh_;
     const std::vector<Face> faces_;
     const Element<dim, spacedim> &element_;
     double area_ = 0.;

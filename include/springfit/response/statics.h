@@ -7,6 +7,7 @@
 #include <springfit/reference/material.h>
 #include <springfit/reference/material_law.h>
 #include <springfit/response/discretization.h>
+#include <springfit/response/elastic_body.h>
 #include <springfit/response/linear_solver.h>
 #include <springfit/response/model.h>
 #include <springfit/springs/network.h>
@@ -62,13 +63,32 @@ namespace springfit
                     const Element<dim, spacedim> &element,
                     const MaterialTable &materials) const;
 
-    /** The finite elements at small deformations, which scale the loads. */
+    /** Those of any law; the linear ones scale the loads. */
     template <int dim>
     std::unique_ptr<Model>
-    linear_finite_elements(const Discretization<spacedim> &discretization,
-                           const Mesh<dim, spacedim> &mesh,
-                           const Element<dim, spacedim> &element,
-                           const MaterialTable &materials) const;
+    finite_elements_of(MaterialLaw law,
+                       const Discretization<spacedim> &discretization,
+                       const Mesh<dim, spacedim> &mesh,
+                       const Element<dim, spacedim> &element,
+                       const MaterialTable &materials) const;
+
+    /**
+     * Any body on the nodes of a mesh, which bears cells turned inside out.
+     *
+     * @param words for errors
+     */
+    template <int dim>
+    std::unique_ptr<Model>
+    body(const Discretization<spacedim> &discretization,
+         const Mesh<dim, spacedim> &mesh,
+         const Element<dim, spacedim> &element,
+         std::unique_ptr<const BodyOfMembers> body,
+         const ModelWords &words,
+         Kinematics kinematics) const;
+
+    /** For single systems with a matrix that is assembled. */
+    SolverFactory<spacedim>
+    linear_solvers(const Discretization<spacedim> &discretization) const;
 
     /** @p name is the fit's, for errors. */
     template <int dim>

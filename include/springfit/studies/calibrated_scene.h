@@ -22,6 +22,16 @@ namespace springfit
   };
 
   /**
+   * That of a mesh.
+   *
+   * @throws EntryError when a fit or a material does not suit the mesh.
+   */
+  template <int dim, int spacedim>
+  CalibratedScene<dim, spacedim>
+  scene_of(std::unique_ptr<Mesh<dim, spacedim>> mesh,
+           const Scene<spacedim> &scene);
+
+  /**
    * Make the mesh and say what it is, before anything takes time.
    * The networks are still to come.
    */

@@ -37,6 +37,43 @@ namespace springfit
   load_factor(const DynamicsSettings<dim> &settings);
 
   /**
+   * The finite elements of a law with lumped masses, without a system of
+   * equations; @p calibrated must outlive them.
+   *
+   * @param nodes spacedim x n_nodes, m
+   */
+  template <int dim, int spacedim>
+  std::unique_ptr<MovingModel>
+  finite_elements_in_motion(MaterialLaw law,
+                            const CalibratedScene<dim, spacedim> &calibrated,
+                            const Eigen::MatrixXd &nodes,
+                            const Remains &remains);
+
+  /** A network, of which @p springs are what is left, as well. */
+  std::unique_ptr<MovingModel>
+  network_in_motion(const CalibratedNetwork &network,
+                    const SpringNetwork &springs,
+                    Kinematics kinematics,
+                    double spring_damper);
+
+  /** Any body with the nodes and the masses of a network. */
+  std::unique_ptr<MovingModel>
+  body_in_motion(std::unique_ptr<const ElasticBody> body,
+                 Kinematics kinematics,
+                 const SpringNetwork &network);
+
+  /**
+   * Let a model begin at rest under what @p excitation does, which must outlive
+   * it, with the system of equations that suits it. Obstacles without a
+   * stiffness are given one.
+   */
+  template <int spacedim>
+  void
+  set_in_motion(const DynamicsSettings<spacedim> &settings,
+                Excitation &excitation,
+                MovingModel &model);
+
+  /**
    * All models that move: the finite elements first, where they are wanted,
    * then each network with each kinematics. Obstacles without a stiffness are
    * given one, of the first model. @p excitation must outlive them.

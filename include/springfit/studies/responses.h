@@ -57,6 +57,18 @@ namespace springfit
                   Session &session);
 
   /**
+   * The factor of a canned load such that the linear finite elements deform
+   * as asked; 1 of another one.
+   *
+   * @param displacement theirs under the load as it is, m
+   * @throws EntryError when it moves nothing.
+   */
+  double
+  scale_of(const LoadCase &load_case,
+           const Loading &loading,
+           const Eigen::MatrixXd &displacement);
+
+  /**
    * The scaling alone, of the cases of @p loading. Collective.
    *
    * @throws EntryError when a load moves nothing.

@@ -8,7 +8,9 @@
 #include <springfit/reference/material.h>
 #include <springfit/response/loads.h>
 #include <springfit/response/statics.h>
+#include <springfit/studies/adapt_section.h>
 #include <springfit/studies/sweep_range.h>
+#include <springfit/studies/tradeoff_section.h>
 
 #include <filesystem>
 
@@ -32,6 +34,8 @@ namespace springfit
     Dynamics<dim> dynamics;
     Contact<dim> contact;
     SweepRange<dim> sweep_range;
+    TradeoffSection<dim> tradeoff;
+    AdaptSection<dim> adapt;
   };
 } // namespace springfit
 

@@ -13,11 +13,22 @@ namespace springfit
     calibrate,
     compare,
     sweep,
-    dynamics
+    dynamics,
+    tradeoff,
+    adapt
   };
 
   const WordTable<StudyKind> &
   study_words();
+
+  /**
+   * Set the entries that a study chooses by itself.
+   *
+   * @throws EntryError
+   */
+  template <int dim>
+  void
+  complete_study(StudyKind study, Scene<dim> &scene);
 
   /**
    * Check the sections that only some studies use, and what must suit the
@@ -56,6 +67,22 @@ namespace springfit
   template <int dim, int spacedim>
   void
   dynamics(const Scene<spacedim> &scene, Session &session);
+
+  /**
+   * Every model on every mesh that section Tradeoff asks for: how far it is
+   * from a fine reference and what it costs, and which one to take.
+   */
+  template <int dim, int spacedim>
+  void
+  tradeoff(const Scene<spacedim> &scene, Session &session);
+
+  /**
+   * A model for each cell of one mesh, the cheapest with which the whole is
+   * accurate enough.
+   */
+  template <int dim, int spacedim>
+  void
+  adapt(const Scene<spacedim> &scene, Session &session);
 
   /**
    * What a single cell delivers in a tensile test, over the material's
