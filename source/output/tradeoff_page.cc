@@ -163,13 +163,14 @@ namespace springfit
       lowest = std::max(lowest, 1e-6);
       plot << "set yrange [" << text_of("%.3g", 0.5 * lowest) << ':'
            << text_of("%.3g", 2. * highest) << "]\n";
-      plot << "set logscale xy\nset grid\nset key outside right top "
-              "font ',9' noenhanced\nset xlabel '"
-           << axis_of(demand)
-           << "'\nset ylabel 'distance from the reference (rms), % of its "
-              "largest displacement'\n"
-              "set style line 99 lc rgb '#888888' lw 2 dt 2\n"
-           << level(demand.accuracy, "accuracy");
+      plot
+        << "set logscale xy\nset grid\nset key below Left reverse samplen 2 maxcols 2 "
+           "font ',9' noenhanced\nset xlabel '"
+        << axis_of(demand)
+        << "'\nset ylabel 'distance from the reference (rms), % of its "
+           "largest displacement'\n"
+           "set style line 99 lc rgb '#888888' lw 2 dt 2\n"
+        << level(demand.accuracy, "accuracy");
       if (facts.own_error && *facts.own_error > 0.)
         plot << level(*facts.own_error, "the reference itself");
       if (demand.budget > 0.)
@@ -188,12 +189,12 @@ namespace springfit
       if (advice.chosen)
         curves_text += ", \\\n     $chosen with points pt 6 ps 3 lw 2 lc rgb "
                        "'red' title 'recommended'";
-      plot << "set terminal svg size 1200, 600 background 'white'\n"
+      plot << "set terminal svg size 900, 720 background 'white'\n"
               "set output 'tradeoff.svg'\n"
               "plot "
            << curves_text
            << "\n"
-              "set terminal png size 1200, 600\n"
+              "set terminal png size 900, 720\n"
               "set output 'tradeoff.png'\n"
               "replot\n";
     }

@@ -1,3 +1,4 @@
+#include <springfit/response/network_body.h>
 #include <springfit/response/stability.h>
 
 #include <Eigen/SparseCholesky>
@@ -51,5 +52,21 @@ namespace springfit
     if (factors.info() != Eigen::Success)
       return 1; // a pivot vanished
     return (factors.vectorD().array() <= 0.).count();
+  }
+
+  std::optional<unsigned int>
+  n_unstable_at_rest(const SpringNetwork &network,
+                     const std::vector<bool> &held)
+  {
+    if (n_negative(network.families) == 0 &&
+        has_springs_alone(network.families))
+      return 0;
+    const Eigen::Index dim        = network.nodes.rows();
+    const Eigen::Index most_nodes = dim == 2 ? 50000 : 5000;
+    if (network.nodes.cols() > most_nodes)
+      return {};
+    return n_unstable_motions(NetworkBody(network),
+                              Eigen::MatrixXd::Zero(dim, network.nodes.cols()),
+                              held);
   }
 } // namespace springfit

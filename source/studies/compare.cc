@@ -5,7 +5,6 @@
 #include <springfit/fit/methods.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/material_law.h>
-#include <springfit/response/network_body.h>
 #include <springfit/response/stability.h>
 #include <springfit/response/statics.h>
 #include <springfit/studies/calibrated_scene.h>
@@ -94,17 +93,7 @@ namespace springfit
                      "Response to compare nonlinear ones.");
     }
 
-    /** Springs of stiffness >= 0 alone cannot. */
-    bool
-    can_be_unstable(const Families &families)
-    {
-      return n_negative(families) > 0 || !has_springs_alone(families);
-    }
-
-    /**
-     * Warn of networks that are not at rest in a minimum of energy. Counting
-     * takes a direct factorisation, which is too much for the largest ones.
-     */
+    /** Warn of networks that are not at rest in a minimum of energy. */
     template <int dim, int spacedim>
     void
     check_stability(const CalibratedScene<dim, spacedim> &calibrated,
@@ -112,21 +101,16 @@ namespace springfit
                     Session &session)
     {
       dealii::TimerOutput::Scope scope(session.timer(), "Stability");
-      constexpr Eigen::Index largest = spacedim == 2 ? 50000 : 5000; // nodes
       for (const auto &network : calibrated.networks)
-        if (can_be_unstable(network.network.families) &&
-            network.network.nodes.cols() <= largest)
-          if (const unsigned int n = n_unstable_motions(
-                NetworkBody(network.network),
-                Eigen::MatrixXd::Zero(spacedim, network.network.nodes.cols()),
-                loading.held);
-              n > 0)
-            session.warn(
-              "The springs of the fit '" + network.name +
-              "' are unstable: " + std::to_string(n) +
-              " of their motions release energy, so that their figures below "
-              "are not those of an object at rest. Set 'Nonnegative = true' "
-              "in section Fit.");
+        if (const unsigned int n =
+              n_unstable_at_rest(network.network, loading.held).value_or(0);
+            n > 0)
+          session.warn(
+            "The springs of the fit '" + network.name +
+            "' are unstable: " + std::to_string(n) +
+            " of their motions release energy, so that their figures below "
+            "are not those of an object at rest. Set 'Nonnegative = true' "
+            "in section Fit.");
     }
 
     bool

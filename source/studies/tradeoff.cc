@@ -5,7 +5,7 @@
 #include <springfit/core/progress.h>
 #include <springfit/output/tradeoff_page.h>
 #include <springfit/output/tradeoff_table.h>
-#include <springfit/response/network_body.h>
+#include <springfit/response/stability.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/fine_reference.h>
 #include <springfit/studies/measured_model.h>
@@ -109,6 +109,12 @@ namespace springfit
       row.kinematics  = word_of(kinematics_words(), kinematics);
       row.n_springs   = n_springs(network.network.families);
       row.calibrate   = network.seconds;
+      if (const unsigned int n =
+            n_unstable_at_rest(network.network, measured.loading.held)
+              .value_or(0);
+          n > 0)
+        row.failure = "it is unstable at rest, " + std::to_string(n) +
+                      " of its motions release energy.";
       measured.models.emplace_back(
         row,
         network_in_motion(network, network.network, kinematics, spring_damper),
@@ -188,6 +194,8 @@ namespace springfit
                    const MeasuredMesh<dim, spacedim> &measured,
                    MeasuredModel<spacedim> &model)
     {
+      if (!model.row.failure.empty())
+        return;
       const auto found = model.respond(measured.loads);
       if (!model.row.failure.empty())
         return;

@@ -253,6 +253,11 @@ namespace springfit
       sizes.push_back({size});
     if (sizes.empty())
       sizes.push_back(own.cell_size);
+    if (sizes.front().empty())
+      throw EntryError(full_name("Cell sizes"),
+                       "neither this entry nor 'Cell size' in section Geometry "
+                       "says how finely the geometry is meshed.",
+                       "Give one of them, in m.");
     for (const CellKind kind : kinds)
       {
         std::vector<Meshing> of_kind;

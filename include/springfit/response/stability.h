@@ -2,9 +2,11 @@
 #define springfit_response_stability_h
 
 #include <springfit/response/elastic_body.h>
+#include <springfit/springs/network.h>
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace springfit
@@ -22,6 +24,15 @@ namespace springfit
   unsigned int
   n_unstable_motions(const ElasticBody &body,
                      const Eigen::MatrixXd &displacement,
+                     const std::vector<bool> &held);
+
+  /**
+   * The same of a network at rest, without counting where springs of stiffness
+   * >= 0 alone have none. Nothing for networks that are too large: counting
+   * takes a direct factorisation.
+   */
+  std::optional<unsigned int>
+  n_unstable_at_rest(const SpringNetwork &network,
                      const std::vector<bool> &held);
 } // namespace springfit
 
