@@ -73,6 +73,9 @@ def _is_slow(text):
     for d, size in enumerate(sizes):
         step = steps[d] if d < len(steps) else steps[0]
         count *= max(1., abs(size / step) if step else 1.)
+    refinements = numbers(b"Refinements", [0.])[:1]
+    if refinements and 0. < refinements[0] < 6.:
+        count *= 8. ** refinements[0]
     return 3e4 < count < 1e9
 
 

@@ -13,6 +13,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,22 @@ namespace springfit
             text += "; " + object.name +
                     (dim < spacedim ? " of triangles: " : ": ") + text_of(size);
       return text + ". In m.";
+    }
+
+    /** @throws EntryError when there would be too many cells. */
+    void
+    check_refinements(const double n_cells,
+                      const int dim,
+                      const unsigned int refinements)
+    {
+      constexpr double most = 5e7;
+      const double n        = n_cells * std::pow(2., dim * int(refinements));
+      if (refinements > 0 && n > most)
+        throw EntryError("Geometry/Refinements",
+                         "they would make " + text_of({n}) +
+                           " cells, more than " + text_of({most}) + ".",
+                         "Give fewer: each makes 4 cells of one in the plane, "
+                         "8 in space.");
     }
 
     std::string
@@ -259,6 +276,7 @@ namespace springfit
     run_on_root(communicator, [&]() {
       description =
         find_object(object_).describe(request(meshing, folder_of_prm));
+      check_refinements(description.n_cells(), dim, meshing.refinements);
       if constexpr (dim == spacedim)
         check_mesh(description);
       else

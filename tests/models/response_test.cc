@@ -48,7 +48,7 @@ namespace
   }
 
   unsigned int
-  n_unstable_at_rest(const SpringNetwork &network,
+  n_unstable_of_springs(const SpringNetwork &network,
                      const std::vector<bool> &fixed)
   {
     return n_unstable_motions(NetworkBody(network),
@@ -169,7 +169,7 @@ TEST(Springs, UnstableMotionsAreCounted)
     0., 0., 1.;
   const std::vector<bool> fixed = {true, false, true};
   const auto n_unstable         = [&](const double k_x, const double k_y) {
-    return n_unstable_at_rest(springs_at_rest(corner,
+    return n_unstable_of_springs(springs_at_rest(corner,
                                               {{{0, 1}}, {{1, 2}}},
                                               Eigen::Vector2d(k_x, k_y)),
                               fixed);
@@ -206,7 +206,7 @@ TEST(Springs, UnstableMotionsAreCounted)
       .eigenvalues();
   const unsigned int expected = (eigenvalues.array() < 0.).count();
   EXPECT_GT(expected, 0u);
-  EXPECT_EQ(n_unstable_at_rest(springs_at_rest(nodes, pairs, k), held),
+  EXPECT_EQ(n_unstable_of_springs(springs_at_rest(nodes, pairs, k), held),
             expected);
 }
 
