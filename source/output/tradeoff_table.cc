@@ -168,8 +168,9 @@ namespace springfit
       }
     if (error_of_reference && *error_of_reference > demand.accuracy / 3.)
       text += formatted(" The reference itself changes by %.2g %% when its "
-                        "cells are halved: set a smaller 'Reference cell "
-                        "size' to be sure.",
+                        "cells are twice as large: give it smaller ones to be "
+                        "sure ('Reference cell size', of a mesh file "
+                        "'Halvings').",
                         *error_of_reference);
     return text;
   }

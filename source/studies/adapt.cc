@@ -106,6 +106,8 @@ namespace springfit
               throw RunError("Load case " + load_case.name + ": " +
                                found.back().failure,
                              "Load less, or leave out the first of the fits.");
+            // It throws where nothing moves.
+            scale_of(load_case, loading_, found.back().displacement);
           }
         return found;
       }
@@ -121,10 +123,18 @@ namespace springfit
       {
         if (!quantity_)
           return 1.;
-        double largest = 0.;
+        double largest = 0., scale = 0.;
         for (const auto &of_case : found)
-          largest = std::max(largest, std::abs(value_of(*quantity_, of_case)));
-        if (!(largest > 0.))
+          {
+            largest =
+              std::max(largest, std::abs(value_of(*quantity_, of_case)));
+            scale = std::max(scale,
+                             (quantity_->is_reaction ? of_case.reactions
+                                                     : of_case.displacement)
+                               .cwiseAbs()
+                               .maxCoeff());
+          }
+        if (!(largest > 1e-9 * scale))
           throw EntryError("Adapt/Quantity",
                            "no load moves it.",
                            "Name another component, or a place that moves.");
@@ -153,6 +163,12 @@ namespace springfit
       {
         const Eigen::MatrixXd &u   = found.displacement;
         const unsigned int n_cells = models.size();
+        if (!std::isfinite(exact_->energy(u)))
+          throw RunError(
+            "The finite elements have no energy in the state of "
+            "the mixed network.",
+            "Load less, or set 'Material law = stable neo-hookean' "
+            "in section Response.");
         std::vector<std::vector<Eigen::MatrixXd>> missing(n_cells);
         Eigen::MatrixXd sum = 0. * u;
         for (unsigned int c = 0; c < n_cells; ++c)
@@ -198,6 +214,10 @@ namespace springfit
               }
             judged.estimate += judged.contributions(c, models[c]);
           }
+        if (!std::isfinite(judged.estimate))
+          throw RunError("The error of the mixed network could not be "
+                         "estimated: it is not finite.",
+                         "Load less, or leave out the first of the fits.");
         return judged;
       }
 

@@ -220,9 +220,8 @@ namespace springfit
            const Scene<spacedim> &scene)
   {
     CalibratedScene<dim, spacedim> calibrated;
-    calibrated.mesh  = std::move(made);
-    const auto &mesh = *calibrated.mesh;
-    scene.fit.check_cells(mesh.cell_kind);
+    calibrated.mesh      = std::move(made);
+    const auto &mesh     = *calibrated.mesh;
     calibrated.element   = make_element<dim, spacedim>(mesh.cell_kind);
     calibrated.materials = scene.material.resolve(mesh);
 
@@ -245,6 +244,7 @@ namespace springfit
                                                         scene.folder),
                     scene);
     const auto &mesh = *calibrated.mesh;
+    scene.fit.check_cells(mesh.cell_kind);
     session.print(formatted("Mesh: %u nodes, %u %s%s, %s m, %.6g m^3\n",
                             mesh.triangulation.n_vertices(),
                             mesh.triangulation.n_active_cells(),

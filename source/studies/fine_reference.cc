@@ -129,16 +129,19 @@ namespace springfit
 
     /** @throws EntryError when it is 0 but for rounding. */
     double
-    find_largest_quantity(const std::vector<CommonState> &states)
+    find_largest_quantity(const std::optional<QuantityStatement> &statement,
+                          const std::vector<CommonState> &states)
     {
       double largest = 0., scale = 0.;
       for (const auto &state : states)
         if (state.quantity)
           {
             largest = std::max(largest, std::abs(*state.quantity));
-            scale   = std::max(scale, largest_displacement(state.displacement));
-            for (const auto &[support, force] : state.reactions)
-              scale = std::max(scale, force.norm());
+            if (statement->kind == QuantityStatement::Kind::reaction)
+              for (const auto &[support, force] : state.reactions)
+                scale = std::max(scale, force.norm());
+            else
+              scale = std::max(scale, largest_displacement(state.displacement));
           }
       if (scale > 0. && !(largest > 1e-9 * scale))
         throw EntryError("Tradeoff/Quantity",
@@ -151,6 +154,22 @@ namespace springfit
     relative_percent(const double difference, const double whole)
     {
       return 100. * std::abs(difference) / std::abs(whole);
+    }
+
+    /** The mean length of the edges of a mesh, m. */
+    template <int dim, int spacedim>
+    double
+    mean_edge(const Mesh<dim, spacedim> &mesh)
+    {
+      double sum          = 0.;
+      std::size_t n_edges = 0;
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const unsigned int l : cell->line_indices())
+          {
+            sum += cell->line(l)->diameter();
+            ++n_edges;
+          }
+      return sum / n_edges;
     }
   } // namespace
 
@@ -197,17 +216,11 @@ namespace springfit
 
   template <int dim, int spacedim>
   double
-  mean_edge(const Mesh<dim, spacedim> &mesh)
+  size_of_cells(const Mesh<dim, spacedim> &mesh, const Meshing &meshing)
   {
-    double sum          = 0.;
-    std::size_t n_edges = 0;
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      for (const unsigned int l : cell->line_indices())
-        {
-          sum += cell->line(l)->diameter();
-          ++n_edges;
-        }
-    return sum / n_edges;
+    if (meshing.cell_size.empty())
+      return mean_edge(mesh);
+    return meshing.cell_size.front() / (1 << meshing.refinements);
   }
 
   template <int dim, int spacedim>
@@ -232,13 +245,21 @@ namespace springfit
       reference.load_cases.push_back(load_case.name);
     reference.scales = find_scales(scene, fine);
     reference.states = respond(scene, fine, reference.scales, reference.points);
-    reference.largest_quantity = find_largest_quantity(reference.states);
+    reference.largest_quantity =
+      find_largest_quantity(scene.tradeoff.quantity(), reference.states);
 
+    const auto tell_unknown = [&](const std::string &reason) {
+      session.warn("The reference's own error is not known, because one with "
+                   "cells twice as large was not to be had: " +
+                   reason);
+    };
     try
       {
         const LoadedElements<dim, spacedim> coarse(scene,
                                                    meshings.coarse,
                                                    session);
+        if (coarse.calibrated.mesh->nodes.size() == mesh.nodes.size())
+          throw RunError("it is the same mesh.", "");
         const auto states =
           respond(scene, coarse, reference.scales, reference.points);
         double error = 0.;
@@ -253,10 +274,11 @@ namespace springfit
       }
     catch (const InputError &error)
       {
-        session.warn(
-          std::string("The reference's own error is not known, "
-                      "because its cells cannot be twice as large: ") +
-          error.what());
+        tell_unknown(error.what());
+      }
+    catch (const RunError &error)
+      {
+        tell_unknown(error.what());
       }
     return reference;
   }
@@ -268,9 +290,9 @@ namespace springfit
   template FineReference<3>
   find_fine_reference<3>(const Scene<3> &, Session &);
   template double
-  mean_edge(const Mesh<2> &);
+  size_of_cells(const Mesh<2> &, const Meshing &);
   template double
-  mean_edge(const Mesh<2, 3> &);
+  size_of_cells(const Mesh<2, 3> &, const Meshing &);
   template double
-  mean_edge(const Mesh<3> &);
+  size_of_cells(const Mesh<3> &, const Meshing &);
 } // namespace springfit

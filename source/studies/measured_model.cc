@@ -45,15 +45,25 @@ namespace springfit
       const auto heap = mallinfo2();
       return (heap.uordblks + heap.hblkhd) / 1048576.;
     }
-
-    double
-    seconds_since(const std::chrono::steady_clock::time_point begin)
-    {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                           begin)
-        .count();
-    }
   } // namespace
+
+  Meter::Meter()
+    : begin_(std::chrono::steady_clock::now()), memory_(memory_in_use())
+  {}
+
+  double
+  Meter::seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                         begin_)
+      .count();
+  }
+
+  double
+  Meter::mebibytes() const
+  {
+    return memory_in_use() - memory_;
+  }
 
   template <int spacedim>
   MeasuredModel<spacedim>::MeasuredModel(
@@ -106,9 +116,8 @@ namespace springfit
     const DynamicsSettings<spacedim> &settings,
     Excitation &excitation)
   {
-    excitation_         = &excitation;
-    const double before = memory_in_use();
-    const auto begin    = std::chrono::steady_clock::now();
+    excitation_ = &excitation;
+    const Meter meter;
     try
       {
         springfit::set_in_motion(settings, excitation, *model_);
@@ -119,8 +128,8 @@ namespace springfit
                 model_->state.time + settings.step,
                 excitation,
                 *model_);
-        row.setup       = seconds_since(begin);
-        row.memory      = memory_in_use() - before;
+        row.setup       = row.setup.value_or(0.) + meter.seconds();
+        row.memory      = row.memory.value_or(0.) + meter.mebibytes();
         implicit_.state = model_->state;
 
         explicit_.settings            = settings;

@@ -25,7 +25,12 @@ namespace springfit
     entries["Geometry/Cell size"]   = row.cell_size_entry;
     entries["Response/Kinematics"]  = row.kinematics;
     if (row.model == "fem")
-      entries["Response/Material law"] = row.fit;
+      {
+        // Something is fitted all the same.
+        entries["Response/Material law"] = row.fit;
+        entries["Fit/Methods"]           = "frobenius";
+        entries["Fit/Enrichment"]        = "none";
+      }
     else
       {
         // By the words of parameter files, which are not those of tables.
@@ -41,6 +46,8 @@ namespace springfit
         entries["Dynamics/Integrator"] =
           demand.purpose == Purpose::explicit_motion ? "symplectic euler"
                                                      : "implicit euler";
+        entries["Dynamics/Linearisations"] = "1";
+        entries["Dynamics/Mass"]           = "lumped";
         entries["Dynamics/Finite elements"] =
           row.model == "fem" ? "true" : "false";
         if (demand.purpose == Purpose::explicit_motion)

@@ -32,6 +32,19 @@ namespace springfit
       for (const double time : {settings.begin, settings.end})
         factor.value({}, time);
     }
+
+    /** For studies that measure what steps cost. */
+    template <int dim>
+    void
+    check_step(const Scene<dim> &scene)
+    {
+      if (!(scene.dynamics.settings().step > 0.))
+        throw EntryError(
+          "Dynamics/Time step",
+          "it is 0, the largest stable one, which depends on the "
+          "model.",
+          "Give the step in s whose time is to be measured.");
+    }
   } // namespace
 
   template <int dim>
@@ -98,6 +111,7 @@ namespace springfit
           scene.statics.check();
           scene.fit.check_states(scene.statics.material_law());
           check_motion(scene);
+          check_step(scene);
           scene.tradeoff.check(scene.geometry);
           break;
         case StudyKind::adapt:
@@ -107,7 +121,7 @@ namespace springfit
                              "Set it to cell, and leave 'States' empty.");
           scene.loads.check();
           scene.statics.check();
-          scene.dynamics.settings();
+          check_step(scene);
           scene.adapt.settings();
           break;
       }

@@ -54,9 +54,8 @@ namespace springfit
                 const Meshing &meshing)
     {
       TradeoffRow row;
-      row.cells = word_of(cell_kind_words(), mesh.cell_kind);
-      row.cell_size =
-        meshing.cell_size.empty() ? mean_edge(mesh) : meshing.cell_size.front();
+      row.cells     = word_of(cell_kind_words(), mesh.cell_kind);
+      row.cell_size = size_of_cells(mesh, meshing);
       for (const double size : meshing.cell_size)
         row.cell_size_entry += (row.cell_size_entry.empty() ? "" : ", ") +
                                dealii::Patterns::Tools::to_string(size);
@@ -74,6 +73,7 @@ namespace springfit
                         const TradeoffRow &of_mesh,
                         MeasuredMesh<dim, spacedim> &measured)
     {
+      const Meter meter;
       auto model =
         finite_elements_in_motion(law,
                                   measured.calibrated,
@@ -84,6 +84,8 @@ namespace springfit
       row.fit         = word_of(material_law_words(), law);
       row.enrichment  = "none";
       row.kinematics  = model->kinematics;
+      row.setup       = meter.seconds();
+      row.memory      = meter.mebibytes();
       measured.models.emplace_back(row, std::move(model), [&, law]() {
         return scene.statics.finite_elements_of(law,
                                                 *measured.discretization,
@@ -115,17 +117,19 @@ namespace springfit
           n > 0)
         row.failure = "it is unstable at rest, " + std::to_string(n) +
                       " of its motions release energy.";
-      measured.models.emplace_back(
-        row,
-        network_in_motion(network, network.network, kinematics, spring_damper),
-        [&, kinematics]() {
-          return scene.statics.springs(*measured.discretization,
-                                       *measured.calibrated.mesh,
-                                       measured.calibrated.element,
-                                       network.network,
-                                       network.name,
-                                       kinematics);
-        });
+      const Meter meter;
+      auto model =
+        network_in_motion(network, network.network, kinematics, spring_damper);
+      row.setup  = meter.seconds();
+      row.memory = meter.mebibytes();
+      measured.models.emplace_back(row, std::move(model), [&, kinematics]() {
+        return scene.statics.springs(*measured.discretization,
+                                     *measured.calibrated.mesh,
+                                     measured.calibrated.element,
+                                     network.network,
+                                     network.name,
+                                     kinematics);
+      });
     }
 
     template <int dim, int spacedim>
@@ -167,6 +171,10 @@ namespace springfit
         interpolation(mesh, calibrated.element, reference.points);
       measured->excitation = make_excitation(
         scene, calibrated, loading, loading.cases.front(), settings);
+      // What is timed is a motion under the whole load.
+      measured->excitation.load = [load = measured->loads.front()](double) {
+        return load;
+      };
 
       const auto of_mesh =
         row_of_mesh(mesh, *measured->discretization, meshing);
@@ -337,9 +345,10 @@ namespace springfit
     if (advice.chosen)
       write_recommended_scene(session.draft(), rows[*advice.chosen], demand);
     write_page(session.draft(), rows, demand, advice, facts);
-    if (const std::string problem = draw_tradeoff(session.draft());
-        !problem.empty())
-      session.warn(problem);
+    if (advice.most_accurate)
+      if (const std::string problem = draw_tradeoff(session.draft());
+          !problem.empty())
+        session.warn(problem);
     session.say_at_the_end(
       std::string("tradeoff.md shows all of it") +
       (advice.chosen ? "; recommended.prm is the scene to run." : "."));

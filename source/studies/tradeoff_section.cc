@@ -1,5 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
+#include <springfit/mesh/objects.h>
 #include <springfit/studies/tradeoff_section.h>
 
 #include <algorithm>
@@ -227,8 +228,9 @@ namespace springfit
     value_of(purpose_words(), purpose_, full_name("Purpose"));
     material_laws(MaterialLaw::linear);
     quantity();
-    meshings(geometry);
-    reference(geometry);
+    for (const auto &meshing : meshings(geometry))
+      geometry.check(meshing);
+    geometry.check(reference(geometry).fine);
   }
 
   template <int dim>
@@ -253,11 +255,9 @@ namespace springfit
       sizes.push_back({size});
     if (sizes.empty())
       sizes.push_back(own.cell_size);
+    // As geometry files without one have it.
     if (sizes.front().empty())
-      throw EntryError(full_name("Cell sizes"),
-                       "neither this entry nor 'Cell size' in section Geometry "
-                       "says how finely the geometry is meshed.",
-                       "Give one of them, in m.");
+      sizes.front() = {default_cell_size};
     for (const CellKind kind : kinds)
       {
         std::vector<Meshing> of_kind;

@@ -78,6 +78,14 @@ namespace springfit
            MPI_Comm communicator,
            const std::filesystem::path &folder_of_prm) const;
 
+    /**
+     * Check the same of other cells.
+     *
+     * @throws EntryError
+     */
+    void
+    check(const Meshing &meshing) const;
+
     /** What the entries say. */
     Meshing
     meshing() const;
@@ -95,8 +103,6 @@ namespace springfit
     request(const Meshing &meshing,
             const std::filesystem::path &folder_of_prm) const;
 
-    void
-    check(const Meshing &meshing) const;
 
     std::string object_ = "box";
     std::string cells_  = spacedim == 2 ? "quadrilaterals" : "hexahedra";

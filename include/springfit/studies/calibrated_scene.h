@@ -24,7 +24,7 @@ namespace springfit
   /**
    * That of a mesh.
    *
-   * @throws EntryError when a fit or a material does not suit the mesh.
+   * @throws EntryError when a material does not suit the mesh.
    */
   template <int dim, int spacedim>
   CalibratedScene<dim, spacedim>

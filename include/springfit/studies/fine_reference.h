@@ -75,10 +75,12 @@ namespace springfit
   FineReference<spacedim>
   find_fine_reference(const Scene<spacedim> &scene, Session &session);
 
-  /** The mean length of the edges of a mesh, m. */
+  /**
+   * What a mesh was made with, m; of a file the mean length of its edges.
+   */
   template <int dim, int spacedim>
   double
-  mean_edge(const Mesh<dim, spacedim> &mesh);
+  size_of_cells(const Mesh<dim, spacedim> &mesh, const Meshing &meshing);
 
   /** A load as @p scale makes it. */
   NodalLoad

@@ -6,6 +6,7 @@
 #include <springfit/response/model.h>
 #include <springfit/studies/moving_model.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +14,25 @@
 
 namespace springfit
 {
+  /** Time and memory from its construction on. */
+  class Meter
+  {
+  public:
+    Meter();
+
+    double
+    seconds() const;
+
+    /** What the program has taken of the heap since then. */
+    double
+    mebibytes() const;
+
+  private:
+    std::chrono::steady_clock::time_point begin_;
+    double memory_;
+  };
+
+
   /**
    * What a model costs: a solution of statics and steps in time, each measured
    * again and again.
