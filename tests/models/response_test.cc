@@ -49,7 +49,7 @@ namespace
 
   unsigned int
   n_unstable_of_springs(const SpringNetwork &network,
-                     const std::vector<bool> &fixed)
+                        const std::vector<bool> &fixed)
   {
     return n_unstable_motions(NetworkBody(network),
                               Eigen::MatrixXd::Zero(network.nodes.rows(),
@@ -170,9 +170,9 @@ TEST(Springs, UnstableMotionsAreCounted)
   const std::vector<bool> fixed = {true, false, true};
   const auto n_unstable         = [&](const double k_x, const double k_y) {
     return n_unstable_of_springs(springs_at_rest(corner,
-                                              {{{0, 1}}, {{1, 2}}},
-                                              Eigen::Vector2d(k_x, k_y)),
-                              fixed);
+                                                 {{{0, 1}}, {{1, 2}}},
+                                                 Eigen::Vector2d(k_x, k_y)),
+                                 fixed);
   };
   EXPECT_EQ(n_unstable(2., 3.), 0u);
   EXPECT_EQ(n_unstable(2., -3.), 1u);
