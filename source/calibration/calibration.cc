@@ -90,14 +90,31 @@ namespace springfit
                          "Leave it empty.");
     }
 
+    /** Say where the engine asked for had to make way for the other one. */
+    void
+    warn_of_other_engine(const std::vector<CellFit> &fits,
+                         const std::string &name,
+                         Session &session)
+    {
+      const auto n =
+        std::count_if(fits.begin(), fits.end(), [](const CellFit &fit) {
+          return fit.result.by_other_engine;
+        });
+      if (n > 0)
+        session.warn("The fit '" + name + "' of " + std::to_string(n) + " of " +
+                     std::to_string(fits.size()) +
+                     " distinct cells was not certified by the engine asked "
+                     "for; the other 'Engine' solved it.");
+    }
+
     /** Of springs alone the loaded object is checked as a whole. */
     void
-    warn_of_indefinite_cells(const std::vector<TimedFit> &fits,
+    warn_of_indefinite_cells(const std::vector<CellFit> &fits,
                              const std::string &name,
                              Session &session)
     {
       constexpr double rounding = 1e-10;
-      const auto is_indefinite  = [](const TimedFit &fit) {
+      const auto is_indefinite  = [](const CellFit &fit) {
         return fit.result.smallest_eigenvalue.value_or(0.) < -rounding;
       };
       const auto n = std::count_if(fits.begin(), fits.end(), is_indefinite);
@@ -111,17 +128,18 @@ namespace springfit
                      "keeps approximations of the stiffness from that.");
     }
 
+    /** Without a word. */
     template <int dim, int spacedim>
     FittedNetwork
-    calibrate_cells(const DistinctCells &cells,
-                    const Mesh<dim, spacedim> &mesh,
-                    const Element<dim, spacedim> &element,
-                    const MaterialTable &materials,
-                    const Method &method,
-                    const FitOptions &options,
-                    const ReferenceStates &states,
-                    const std::string &name,
-                    Session &session)
+    fit_cells(const DistinctCells &cells,
+              const Mesh<dim, spacedim> &mesh,
+              const Element<dim, spacedim> &element,
+              const MaterialTable &materials,
+              const Method &method,
+              const FitOptions &options,
+              const ReferenceStates &states,
+              const std::string &name,
+              Session &session)
     {
       const auto fits = fit_distinct_cells(cells,
                                            mesh,
@@ -139,16 +157,25 @@ namespace springfit
                                 cells.distinct[c].multiplicity,
                                 fits[c].result,
                                 fits[c].seconds});
+      return fitted;
+    }
 
+    void
+    warn_of_cells(const FittedNetwork &fitted,
+                  const Method &method,
+                  const FitOptions &options,
+                  const std::string &name,
+                  Session &session)
+    {
+      warn_of_other_engine(fitted.cells, name, session);
       if (options.enrichment != Enrichment::none)
-        warn_of_indefinite_cells(fits, name, session);
+        warn_of_indefinite_cells(fitted.cells, name, session);
       const unsigned int n = n_negative(fitted.network.families);
       if (options.nonnegative && has(method, Feature::formulas) &&
           !has(method, Feature::finite_element) && n > 0)
         session.warn("Of the springs of '" + name + "' " + std::to_string(n) +
                      " are negative: 'Nonnegative' does not change the "
                      "constants of a published fit.");
-      return fitted;
     }
 
     /** @return whether there was anything to explain. */
@@ -168,6 +195,39 @@ namespace springfit
   } // namespace
 
   template <int dim, int spacedim>
+  CalibratedNetwork
+  calibrate_row(const FitSection<spacedim> &section,
+                const typename FitSection<spacedim>::Row &row,
+                const Mesh<dim, spacedim> &mesh,
+                const Element<dim, spacedim> &element,
+                const MaterialTable &materials,
+                const MaterialLaw law,
+                Session &session)
+  {
+    Assert(section.scope() == Scope::cell, dealii::ExcInternalError());
+    const std::string fit        = name_of(*row.method);
+    const std::string enrichment = name_of(row.enrichment);
+    const std::string name       = name_of(fit, enrichment);
+    const dealii::Timer timer(session.communicator());
+    return {fit_cells(distinct_cells(section, mesh),
+                      mesh,
+                      element,
+                      materials,
+                      *row.method,
+                      section.options(row),
+                      {section.states(), law, section.spring_law()},
+                      name,
+                      session),
+            name,
+            fit,
+            enrichment,
+            section.scope(),
+            has(*row.method, Feature::finite_element),
+            false,
+            timer.wall_time()};
+  }
+
+  template <int dim, int spacedim>
   std::vector<CalibratedNetwork>
   calibrate(const FitSection<spacedim> &section,
             const Mesh<dim, spacedim> &mesh,
@@ -185,6 +245,12 @@ namespace springfit
       session.warn(sentence);
     const auto cells = distinct_cells(section, mesh);
     warn_of_assumptions(section, cells, mesh, materials, session);
+    if (cells.distinct.size() < cells.copies.size())
+      session.skip("Fits of " +
+                     std::to_string(cells.copies.size() -
+                                    cells.distinct.size()) +
+                     " of " + std::to_string(cells.copies.size()) + " cells",
+                   "they are copies of others");
 
     std::vector<CalibratedNetwork> networks;
     bool is_explained = false;
@@ -211,15 +277,18 @@ namespace springfit
                                       responses,
                                       name,
                                       session);
-          return calibrate_cells(cells,
-                                 mesh,
-                                 element,
-                                 materials,
-                                 *row.method,
-                                 section.options(row),
-                                 {section.states(), law, section.spring_law()},
-                                 name,
-                                 session);
+          auto fitted = fit_cells(cells,
+                                  mesh,
+                                  element,
+                                  materials,
+                                  *row.method,
+                                  section.options(row),
+                                  {section.states(), law, section.spring_law()},
+                                  name,
+                                  session);
+          warn_of_cells(
+            fitted, *row.method, section.options(row), name, session);
+          return fitted;
         };
         FittedNetwork fitted = fit_network();
         // What surfaces do not resist is none of their springs' fault.
@@ -263,4 +332,28 @@ namespace springfit
                const Eigen::MatrixXd &,
                MaterialLaw,
                Session &);
+  template CalibratedNetwork
+  calibrate_row<2>(const FitSection<2> &,
+                   const FitSection<2>::Row &,
+                   const Mesh<2> &,
+                   const Element<2> &,
+                   const MaterialTable &,
+                   MaterialLaw,
+                   Session &);
+  template CalibratedNetwork
+  calibrate_row<2, 3>(const FitSection<3> &,
+                      const FitSection<3>::Row &,
+                      const Mesh<2, 3> &,
+                      const Element<2, 3> &,
+                      const MaterialTable &,
+                      MaterialLaw,
+                      Session &);
+  template CalibratedNetwork
+  calibrate_row<3>(const FitSection<3> &,
+                   const FitSection<3>::Row &,
+                   const Mesh<3> &,
+                   const Element<3> &,
+                   const MaterialTable &,
+                   MaterialLaw,
+                   Session &);
 } // namespace springfit

@@ -72,10 +72,10 @@ namespace springfit
     const auto unit_network =
       assemble_network(mesh, cells, units, element, materials);
 
-    // With all couplings they are exact.
+    // With all couplings cells are exact, and so is the object.
+    const bool is_exact = options.enrichment == Enrichment::coupling;
     const bool need_cell_fits =
-      has(method, Feature::fields) ||
-      (options.nonnegative && options.enrichment != Enrichment::coupling);
+      is_exact || has(method, Feature::fields) || options.nonnegative;
     Eigen::VectorXd of_cells;
     if (need_cell_fits)
       of_cells = constants_of_cell_fits(
@@ -90,9 +90,14 @@ namespace springfit
         make_object_problem(unit_network,
                             object_stiffness(mesh, element, materials),
                             options.nonnegative);
+      if (is_exact)
+        {
+          found = judge_object(problem, of_cells);
+          return;
+        }
       const auto all_fields = displacement_fields(fields, problem, responses);
       found                 = fit_object(problem, method, all_fields, of_cells);
-      if (!options.nonnegative || options.enrichment == Enrichment::coupling)
+      if (!options.nonnegative)
         return;
 
       // Between the fits of the cells and that of the object what it minimises

@@ -85,6 +85,7 @@ namespace springfit
     writer.put(result.smallest_eigenvalue);
     writer.put(static_cast<double>(result.n_negative));
     writer.put(result.states_residual);
+    writer.put(result.by_other_engine ? 1. : 0.);
     writer.put(static_cast<double>(result.families.size()));
     for (const auto &family : result.families)
       {
@@ -108,6 +109,7 @@ namespace springfit
     result.smallest_eigenvalue = reader.optional();
     result.n_negative          = static_cast<unsigned int>(reader.number());
     result.states_residual     = reader.optional();
+    result.by_other_engine     = reader.number() != 0.;
     const auto n_families      = static_cast<std::size_t>(reader.number());
     for (std::size_t f = 0; f < n_families; ++f)
       {

@@ -1,4 +1,5 @@
 #include <springfit/core/long_values.h>
+#include <springfit/core/parameter_text.h>
 
 #include <algorithm>
 #include <filesystem>

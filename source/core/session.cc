@@ -117,6 +117,12 @@ namespace springfit
   }
 
   void
+  Session::skip(const std::string &step, const std::string &why)
+  {
+    skipped_.push_back(step + ": " + why + '.');
+  }
+
+  void
   Session::say_at_the_end(const std::string &what_to_open)
   {
     last_line_ =
@@ -142,6 +148,8 @@ namespace springfit
                                   communicator_);
 
     timer_.print_summary();
+    for (const auto &line : skipped_)
+      log("Skipped - " + line);
     std::ostringstream text;
     text << "Peak memory of the largest rank: " << std::fixed
          << std::setprecision(1) << peak_kib / 1024. << " MiB";

@@ -21,6 +21,16 @@ namespace springfit
     }
 
     std::string
+    too_stiff(const double spectral_residual)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << "its springs are " << spectral_residual
+           << " times as stiff as the cell in some deformation.";
+      return text.str();
+    }
+
+    std::string
     not_definite(const double eigenvalue, const FitOptions &options)
     {
       std::ostringstream text;
@@ -67,7 +77,15 @@ namespace springfit
                            found.duality_gap,
                            smallest_eigenvalue(problem, found.model),
                            n_negative(found.model.families),
-                           states_residual(problem, found.model)};
+                           states_residual(problem, found.model),
+                           found.by_other_engine};
+    // Springs that are so far off say nothing of the cell.
+    constexpr double no_result = 100.;
+    if (result.spectral_residual > no_result)
+      throw RunError(too_stiff(result.spectral_residual),
+                     "Improve the mesh there, or take the fit 'frobenius' with "
+                     "'Enrichment = coupling', which is exact in any cell.");
+
     // All its couplings make a cell its finite element, but for rounding.
     const bool is_exact =
       options.enrichment == Enrichment::coupling && problem.states.empty();

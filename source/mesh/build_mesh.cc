@@ -84,6 +84,7 @@ namespace springfit
     auto mesh           = std::make_unique<Mesh<dim, spacedim>>();
     mesh->cell_kind     = description.cell_kind;
     mesh->warnings      = description.warnings;
+    mesh->left_out      = description.left_out;
     mesh->straight_part = description.straight_part;
     mesh->boundary_names.insert(description.boundary_names.begin(),
                                 description.boundary_names.end());

@@ -5,6 +5,7 @@
 #include <springfit/mesh/file_formats.h>
 #include <springfit/mesh/geometry.h>
 #include <springfit/mesh/jitter.h>
+#include <springfit/mesh/leave_out.h>
 #include <springfit/mesh/mesh_checks.h>
 #include <springfit/mesh/refine.h>
 #include <springfit/mesh/sizes.h>
@@ -13,6 +14,7 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/patterns.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -50,6 +52,37 @@ namespace springfit
             text += "; " + object.name +
                     (dim < spacedim ? " of triangles: " : ": ") + text_of(size);
       return text + ". In m.";
+    }
+
+    /**
+     * The mesh of an object. gmsh has tolerances in its unit of length: what is
+     * far from its size is made some tens of millimetres large, in gmsh's
+     * eyes, and brought back.
+     */
+    MeshDescription
+    describe(const Object &object, ObjectRequest request)
+    {
+      if (request.size.empty())
+        return object.describe(request);
+      const double extent =
+        *std::max_element(request.size.begin(), request.size.end());
+      if (extent > 1e-3 && extent < 1e2)
+        return object.describe(request);
+      const double factor = std::pow(10., -2. - std::floor(std::log10(extent)));
+      for (double &size : request.size)
+        size *= factor;
+      for (double &size : request.cell_size)
+        size *= factor;
+      auto mesh = object.describe(request);
+      for (auto &vertex : mesh.vertices)
+        for (double &x : vertex)
+          x /= factor;
+      if (mesh.straight_part)
+        {
+          mesh.straight_part->lowest /= factor;
+          mesh.straight_part->highest /= factor;
+        }
+      return mesh;
     }
 
     /** @throws EntryError when there would be too many cells. */
@@ -123,6 +156,13 @@ namespace springfit
                   "Name of the cell array of a .vtk file that holds the ids of "
                   "the materials and, for sides of cells, of the boundaries. "
                   "No unit.");
+    add_parameter("Leave out",
+                  left_out_,
+                  "Materials of the mesh, by names or numbers between commas, "
+                  "whose cells are not built: what no load reaches, or what "
+                  "is stiff enough to be held instead. Where the rest touched "
+                  "them it has a boundary with the name of the material "
+                  "(left out 3, of one without a name). No unit.");
     add_parameter("Scale",
                   scale_,
                   "Length of a unit of File, as 0.001 for a file in mm. In m. "
@@ -275,8 +315,10 @@ namespace springfit
     MeshDescription description;
     run_on_root(communicator, [&]() {
       description =
-        find_object(object_).describe(request(meshing, folder_of_prm));
+        describe(find_object(object_), request(meshing, folder_of_prm));
       check_refinements(description.n_cells(), dim, meshing.refinements);
+      if (!left_out_.empty())
+        leave_out(description, split_at_commas(left_out_));
       if constexpr (dim == spacedim)
         check_mesh(description);
       else

@@ -78,15 +78,6 @@ namespace springfit
   }
 
 
-  std::string
-  trimmed(const std::string &text)
-  {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string::npos)
-      return "";
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-  }
-
 
   std::vector<std::string>
   split_fields(const std::string &text, const char separator)

@@ -29,6 +29,7 @@ namespace springfit
   void
   write_adaptation(const std::filesystem::path &folder,
                    const std::vector<AdaptRow> &rows,
+                   const StepTimes &of_richest,
                    const std::vector<std::string> &names)
   {
     std::string header = "cycle";
@@ -46,8 +47,8 @@ namespace springfit
         for (const unsigned int n : row.n_cells)
           table << n;
         table << row.estimate << row.error << ratio(row.estimate, row.error)
-              << row.explicit_step << row.implicit_step
-              << row.explicit_step_of_richest << row.implicit_step_of_richest;
+              << row.steps.explicit_step << row.steps.implicit_step
+              << of_richest.explicit_step << of_richest.implicit_step;
       }
     table.write(folder / "adapt.csv");
   }
@@ -68,6 +69,7 @@ namespace springfit
 
   std::string
   adapt_lines(const std::vector<AdaptRow> &rows,
+              const StepTimes &of_richest,
               const std::vector<std::string> &names)
   {
     std::string lines = "\nModels of cells, from cheap to exact:";
@@ -88,10 +90,10 @@ namespace springfit
           i,
           text_of(row.estimate, "%.3g").c_str(),
           text_of(row.error, "%.3g").c_str(),
-          text_of(ratio(row.explicit_step, row.explicit_step_of_richest),
+          text_of(ratio(row.steps.explicit_step, of_richest.explicit_step),
                   "%.2f")
             .c_str(),
-          text_of(ratio(row.implicit_step, row.implicit_step_of_richest),
+          text_of(ratio(row.steps.implicit_step, of_richest.implicit_step),
                   "%.2f")
             .c_str());
         lines += text;

@@ -3,17 +3,11 @@
 #include <springfit/output/tradeoff_page.h>
 #include <springfit/output/tradeoff_table.h>
 
-#include <spawn.h>
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <map>
 #include <numeric>
 #include <ostream>
-
-extern char **environ;
 
 namespace springfit
 {
@@ -245,30 +239,5 @@ namespace springfit
               "is unstable.\n\nThe numbers are those of tradeoff.csv; "
               "used.prm makes them again.\n";
     });
-  }
-
-  std::string
-  draw_tradeoff(const std::filesystem::path &folder)
-  {
-    const std::string advice =
-      " The pictures of tradeoff.md are missing: install gnuplot (Debian: "
-      "gnuplot-nox) and run 'gnuplot tradeoff.gp' in the output folder.";
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-    char program[] = "gnuplot", script[] = "tradeoff.gp";
-    char *arguments[] = {program, script, nullptr};
-    pid_t child;
-    const int failure =
-      posix_spawnp(&child, program, &actions, nullptr, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failure != 0)
-      return "gnuplot cannot be started." + advice;
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-      ;
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-      return "gnuplot failed." + advice;
-    return {};
   }
 } // namespace springfit

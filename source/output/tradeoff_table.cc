@@ -1,21 +1,12 @@
+#include <springfit/core/formatted.h>
 #include <springfit/output/csv.h>
 #include <springfit/output/tradeoff_table.h>
 
-#include <cstdio>
 
 namespace springfit
 {
   namespace
   {
-    template <typename... Arguments>
-    std::string
-    formatted(const char *format, Arguments... arguments)
-    {
-      char text[512];
-      std::snprintf(text, sizeof(text), format, arguments...);
-      return text;
-    }
-
     /** A percentage, or a dash. */
     std::string
     percent(const std::optional<double> &value)

@@ -36,15 +36,16 @@ namespace springfit
       Vector
       solve(const Vector &forces) override
       {
-        const Vector displacement = solve_by_factors(forces);
+        Vector displacement = solve_by_factors(forces);
 
         // What rounding leaves over must not move anything to speak of. Where
         // it does, the displacements are arbitrary.
         Vector left_over(forces);
         matrix_.residual(left_over, displacement, forces);
-        if (!(solve_by_factors(left_over).l2_norm() <=
-              1e-3 * displacement.l2_norm()))
+        const Vector correction = solve_by_factors(left_over);
+        if (!(correction.l2_norm() <= 1e-3 * displacement.l2_norm()))
           throw RunError("the stiffness matrix is singular to rounding.");
+        displacement += correction;
         return displacement;
       }
 

@@ -13,16 +13,6 @@ namespace springfit
 {
   namespace
   {
-    Eigen::MatrixXd
-    columns(const Eigen::MatrixXd &displacement,
-            const std::vector<unsigned int> &nodes)
-    {
-      Eigen::MatrixXd of_nodes(displacement.rows(), nodes.size());
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        of_nodes.col(a) = displacement.col(nodes[a]);
-      return of_nodes;
-    }
-
     template <int dim, int spacedim>
     std::vector<typename CellEnergy<dim, spacedim>::Cell>
     all_cells(const Mesh<dim, spacedim> &mesh)
@@ -141,8 +131,8 @@ namespace springfit
     const std::size_t c,
     const Eigen::MatrixXd &displacement) const
   {
-    const auto &nodes   = mesh_.nodes.of(cells_[c]);
-    const auto of_nodes = columns(displacement, nodes);
+    const auto &nodes              = mesh_.nodes.of(cells_[c]);
+    const Eigen::MatrixXd of_nodes = displacement(Eigen::all, nodes);
     auto term =
       law_ == MaterialLaw::linear
         ? cell_energy_.evaluate(law_, cells_[c], material_of(c), of_nodes)
@@ -182,7 +172,8 @@ namespace springfit
             springfit::energy(shapes_[c],
                               law_,
                               material_of(c),
-                              columns(displacement, mesh_.nodes.of(cells_[c])));
+                              displacement(Eigen::all,
+                                           mesh_.nodes.of(cells_[c])));
           if (!of_cell)
             return std::numeric_limits<double>::infinity();
           sum += *of_cell;
@@ -205,10 +196,11 @@ namespace springfit
             term(c, displacement)->gradient.reshaped(spacedim, nodes.size());
         else
           {
-            const auto of_cell = energy_gradient(shapes_[c],
-                                                 law_,
-                                                 material_of(c),
-                                                 columns(displacement, nodes));
+            const auto of_cell =
+              energy_gradient(shapes_[c],
+                              law_,
+                              material_of(c),
+                              displacement(Eigen::all, nodes));
             Assert(of_cell,
                    dealii::ExcMessage("The state has no finite energy."));
             gradient = *of_cell;
@@ -312,7 +304,7 @@ namespace springfit
     unsigned int n = 0;
     for (const auto &cell : mesh.triangulation.active_cell_iterators())
       if (!(energy.smallest_jacobian(
-              cell, columns(displacement, mesh.nodes.of(cell))) > 0.))
+              cell, displacement(Eigen::all, mesh.nodes.of(cell))) > 0.))
         ++n;
     return n;
   }

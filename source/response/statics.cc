@@ -1,6 +1,7 @@
 #include <springfit/core/error.h>
 #include <springfit/response/finite_element_body.h>
 #include <springfit/response/linear_model.h>
+#include <springfit/response/model_words.h>
 #include <springfit/response/network_body.h>
 #include <springfit/response/nonlinear_model.h>
 #include <springfit/response/stability.h>
@@ -30,78 +31,6 @@ namespace springfit
         {SolverChoice::direct, "direct"},
         {SolverChoice::cg, "cg"}};
       return table;
-    }
-
-    template <int dim, int spacedim>
-    ModelWords
-    words_of_finite_elements()
-    {
-      return {"the finite element model",
-              std::string("A part of the object can move without resistance: "
-                          "check the mesh and the supports.") +
-                (dim < spacedim ? " A flat surface at rest has no resistance "
-                                  "across itself; it moves under 'Study = "
-                                  "dynamics'."
-                                : "")};
-    }
-
-    /** What bears cells turned inside out, where the law in force does not. */
-    std::string
-    words_of_inversion(const MaterialLaw law)
-    {
-      if (law == MaterialLaw::stable_neo_hookean)
-        return ", or another 'Material law' in section Response.";
-      return ". The 'Material law' in section Response is " +
-             word_of(material_law_words(), law) +
-             ", which cannot go on where cells turn inside out; " +
-             word_of(material_law_words(), MaterialLaw::stable_neo_hookean) +
-             " does.";
-    }
-
-    ModelWords
-    words_of_nonlinear_finite_elements(const MaterialLaw law)
-    {
-      return {"the nonlinear finite element model",
-              "Set a smaller 'Deformation' in section Loads" +
-                words_of_inversion(law)};
-    }
-
-    ModelWords
-    words_of_springs(const std::string &fit, const SpringNetwork &network)
-    {
-      return {
-        "the springs of the fit '" + fit + "'",
-        n_negative(network.families) > 0
-          ? "Springs of negative stiffness may cancel the others: set "
-            "'Nonnegative = true' in section Fit, or 'Solver = direct' in "
-            "section Response, or ask for another fit."
-          : "The fit may have made a mechanism, in which nodes move "
-            "without resistance: set another 'Enrichment' or another fit "
-            "in section Fit, or make the mesh finer; or set 'Solver = "
-            "direct' in section Response."};
-    }
-
-    ModelWords
-    words_of_nonlinear_springs(const std::string &fit,
-                               const SpringNetwork &network)
-    {
-      if (are_under_tension(network.families))
-        return {"the springs of the fit '" + fit +
-                  "' with nonlinear kinematics",
-                std::string("Set a smaller 'Deformation' in section Loads") +
-                  (bear_inversion(network.families)
-                     ? "."
-                     : ". The 'Volume law' in section Fit is logarithmic, "
-                       "which cannot go on where cells turn inside out; "
-                       "quadratic does, with the 'Material law' stable "
-                       "neo-hookean in section Response.")};
-
-      const unsigned int n = n_negative(network.families);
-      return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
-              "Set a smaller 'Deformation' in section Loads" +
-                (n > 0 ? ", or 'Nonnegative = true' in section Fit: " +
-                           std::to_string(n) + " springs are negative."
-                       : ".")};
     }
 
     /** Why a state of such cells is none to go on from. */
@@ -140,43 +69,6 @@ namespace springfit
           return "it is unstable (buckles), " + std::to_string(n) +
                  " of its motions release energy";
       return {};
-    }
-
-    /** Whether an equilibrium of cells turned inside out is one. */
-    enum class InvertedCells
-    {
-      refused,
-      accepted
-    };
-
-    template <int dim, int spacedim>
-    std::unique_ptr<Model>
-    nonlinear_model(const Discretization<spacedim> &discretization,
-                    const Mesh<dim, spacedim> &mesh,
-                    const Element<dim, spacedim> &element,
-                    std::unique_ptr<const BodyOfMembers> body,
-                    const InvertedCells inverted_cells,
-                    const SolverFactory<spacedim> &make_solver,
-                    const ModelWords &words,
-                    const double tolerance)
-    {
-      const BodyOfMembers &judged = *body;
-      const auto judge =
-        [&discretization, &mesh, &element, &judged, inverted_cells](
-          const Eigen::MatrixXd &displacement) {
-          std::string objection;
-          if (inverted_cells == InvertedCells::refused)
-            objection = objection_to_inversion(mesh, element, displacement);
-          return objection.empty()
-                   ? objection_to_instability(discretization,
-                                              mesh.nodes.degree *
-                                                mesh.nodes.degree,
-                                              judged,
-                                              displacement)
-                   : objection;
-        };
-      return std::make_unique<NonlinearModel<spacedim>>(
-        discretization, std::move(body), make_solver, words, judge, tolerance);
     }
   } // namespace
 
@@ -271,6 +163,51 @@ namespace springfit
   }
 
   template <int spacedim>
+  std::unique_ptr<Model>
+  Statics<spacedim>::linear(const Discretization<spacedim> &discretization,
+                            const BodyOfMembers &body,
+                            const ModelWords &words) const
+  {
+    return std::make_unique<LinearModel<spacedim>>(
+      discretization, body, linear_solvers(discretization), words);
+  }
+
+  template <int spacedim>
+  template <int dim>
+  std::unique_ptr<Model>
+  Statics<spacedim>::nonlinear(const Discretization<spacedim> &discretization,
+                               const Mesh<dim, spacedim> &mesh,
+                               const Element<dim, spacedim> &element,
+                               std::unique_ptr<const BodyOfMembers> body,
+                               const InvertedCells inverted_cells,
+                               const ModelWords &words) const
+  {
+    const BodyOfMembers &judged = *body;
+    const auto judge            = [&discretization,
+                        &mesh,
+                        &element,
+                        &judged,
+                        inverted_cells](const Eigen::MatrixXd &displacement) {
+      std::string objection;
+      if (inverted_cells == InvertedCells::refused)
+        objection = objection_to_inversion(mesh, element, displacement);
+      return objection.empty()
+                          ? objection_to_instability(discretization,
+                                          mesh.nodes.degree * mesh.nodes.degree,
+                                          judged,
+                                          displacement)
+                          : objection;
+    };
+    return std::make_unique<NonlinearModel<spacedim>>(
+      discretization,
+      std::move(body),
+      solver_factory(discretization, smallest_cg_nonlinear<spacedim>),
+      words,
+      judge,
+      tolerance_);
+  }
+
+  template <int spacedim>
   template <int dim>
   std::unique_ptr<Model>
   Statics<spacedim>::finite_elements(
@@ -293,24 +230,22 @@ namespace springfit
     const Element<dim, spacedim> &element,
     const MaterialTable &materials) const
   {
+    auto body = std::make_unique<FiniteElementBody<dim, spacedim>>(mesh,
+                                                                   element,
+                                                                   materials,
+                                                                   law);
     if (law == MaterialLaw::linear)
-      return std::make_unique<LinearModel<spacedim>>(
-        discretization,
-        FiniteElementBody<dim, spacedim>(mesh, element, materials, law),
-        solver_factory(discretization, smallest_cg_linear<spacedim>),
-        words_of_finite_elements<dim, spacedim>());
-    return nonlinear_model(discretization,
-                           mesh,
-                           element,
-                           std::make_unique<FiniteElementBody<dim, spacedim>>(
-                             mesh, element, materials, law),
-                           law == MaterialLaw::stable_neo_hookean
-                             ? InvertedCells::accepted
-                             : InvertedCells::refused,
-                           solver_factory(discretization,
-                                          smallest_cg_nonlinear<spacedim>),
-                           words_of_nonlinear_finite_elements(law),
-                           tolerance_);
+      return linear(discretization,
+                    *body,
+                    words_of_finite_elements(dim < spacedim));
+    return nonlinear(discretization,
+                     mesh,
+                     element,
+                     std::move(body),
+                     law == MaterialLaw::stable_neo_hookean
+                       ? InvertedCells::accepted
+                       : InvertedCells::refused,
+                     words_of_nonlinear_finite_elements(law));
   }
 
   template <int spacedim>
@@ -323,18 +258,14 @@ namespace springfit
                           const ModelWords &words,
                           const Kinematics kinematics) const
   {
-    if (kinematics == Kinematics::nonlinear)
-      return nonlinear_model(discretization,
-                             mesh,
-                             element,
-                             std::move(body),
-                             InvertedCells::accepted,
-                             solver_factory(discretization,
-                                            smallest_cg_nonlinear<spacedim>),
-                             words,
-                             tolerance_);
-    return std::make_unique<LinearModel<spacedim>>(
-      discretization, *body, linear_solvers(discretization), words);
+    if (kinematics == Kinematics::linear)
+      return linear(discretization, *body, words);
+    return nonlinear(discretization,
+                     mesh,
+                     element,
+                     std::move(body),
+                     InvertedCells::accepted,
+                     words);
   }
 
   template <int spacedim>
@@ -355,23 +286,16 @@ namespace springfit
                              const std::string &name,
                              const Kinematics kinematics) const
   {
-    if (kinematics == Kinematics::nonlinear)
-      return nonlinear_model(discretization,
-                             mesh,
-                             element,
-                             std::make_unique<NetworkBody>(network),
-                             bear_inversion(network.families)
-                               ? InvertedCells::accepted
-                               : InvertedCells::refused,
-                             solver_factory(discretization,
-                                            smallest_cg_nonlinear<spacedim>),
-                             words_of_nonlinear_springs(name, network),
-                             tolerance_);
-    return std::make_unique<LinearModel<spacedim>>(
-      discretization,
-      NetworkBody(network),
-      solver_factory(discretization, smallest_cg_linear<spacedim>),
-      words_of_springs(name, network));
+    auto body = std::make_unique<NetworkBody>(network);
+    if (kinematics == Kinematics::linear)
+      return linear(discretization, *body, words_of_springs(name, network));
+    return nonlinear(discretization,
+                     mesh,
+                     element,
+                     std::move(body),
+                     bear_inversion(network.families) ? InvertedCells::accepted
+                                                      : InvertedCells::refused,
+                     words_of_nonlinear_springs(name, network));
   }
 
   template class Statics<2>;

@@ -137,7 +137,9 @@ namespace springfit
                             ? "two nodes"
                             : "three nodes that are not on a line") +
               " at least of each part, by 'Fixed boundaries', 'Fixed region' "
-              "or 'Supports', or connect the parts by faces.");
+              "or 'Supports', or connect the parts by faces; or leave a part that "
+              "is a material of its own out of the model, by 'Leave out' in "
+              "section Geometry.");
         }
   }
 

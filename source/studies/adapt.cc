@@ -172,12 +172,10 @@ namespace springfit
         std::vector<std::vector<Eigen::MatrixXd>> missing(n_cells);
         Eigen::MatrixXd sum = 0. * u;
         for (unsigned int c = 0; c < n_cells; ++c)
-          for (unsigned int k = 0; k < n_models(); ++k)
-            {
-              missing[c].push_back(mixed_.missing_forces(c, k, u));
-              if (k == models[c])
-                add(missing[c].back(), c, sum);
-            }
+          {
+            missing[c] = mixed_.missing_forces(c, u);
+            add(missing[c][models[c]], c, sum);
+          }
 
         typename Discretization<spacedim>::Matrix tangent;
         discretization_.initialize(tangent);
@@ -328,12 +326,14 @@ namespace springfit
     const unsigned int n_cells =
       calibrated.mesh->triangulation.n_active_cells();
     std::vector<unsigned int> models(n_cells, 0);
-    const TradeoffRow of_richest =
+    const auto cost_of_richest =
       costs(scene,
             calibrated,
             loading,
             adaptation.mixed().body(
               std::vector<unsigned int>(n_cells, adaptation.n_models() - 1)));
+    const StepTimes of_richest{cost_of_richest.explicit_step,
+                               cost_of_richest.implicit_step};
     std::vector<AdaptRow> rows;
     std::vector<JudgedCase> judged;
     for (unsigned int cycle = 0;; ++cycle)
@@ -359,10 +359,7 @@ namespace springfit
           row.n_cells.push_back(std::count(models.begin(), models.end(), k));
         const auto cost =
           costs(scene, calibrated, loading, adaptation.mixed().body(models));
-        row.explicit_step            = cost.explicit_step;
-        row.implicit_step            = cost.implicit_step;
-        row.explicit_step_of_richest = of_richest.explicit_step;
-        row.implicit_step_of_richest = of_richest.implicit_step;
+        row.steps = {cost.explicit_step, cost.implicit_step};
         rows.push_back(row);
         if (row.estimate <= settings.accuracy || cycle == settings.n_cycles)
           break;
@@ -375,7 +372,7 @@ namespace springfit
           break;
         models = next;
       }
-    session.print(adapt_lines(rows, names));
+    session.print(adapt_lines(rows, of_richest, names));
     if (rows.back().estimate > settings.accuracy)
       session.warn("The wanted accuracy is not reached: the last of the fits "
                    "is not exact, or 'Cycles' are too few. With 'Finite "
@@ -385,7 +382,7 @@ namespace springfit
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.draft();
-      write_adaptation(folder, rows, names);
+      write_adaptation(folder, rows, of_richest, names);
       write_models_of_cells(folder, models, names);
       write_network(folder, "adapted", adaptation.mixed().network(models));
       Eigen::VectorXd of_cells(n_cells);

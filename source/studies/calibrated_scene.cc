@@ -1,6 +1,7 @@
 #include <springfit/calibration/calibration.h>
 #include <springfit/comparison/homogenised_tensor.h>
 #include <springfit/core/collective.h>
+#include <springfit/core/formatted.h>
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
 #include <springfit/output/response_table.h>
@@ -8,12 +9,12 @@
 #include <springfit/reference/cell_matrices.h>
 #include <springfit/springs/spring_law.h>
 #include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/stable_steps.h>
 
 #include <deal.II/base/bounding_box.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <set>
 #include <string>
@@ -23,15 +24,6 @@ namespace springfit
 {
   namespace
   {
-    template <typename... Arguments>
-    std::string
-    formatted(const char *format, Arguments... arguments)
-    {
-      char text[512];
-      std::snprintf(text, sizeof(text), format, arguments...);
-      return text;
-    }
-
     /** "0.02 x 0.02 x 0.02": wrong units of a file show there. */
     template <int dim, int spacedim>
     std::string
@@ -252,6 +244,12 @@ namespace springfit
                             dim < spacedim ? " in space" : "",
                             extents(mesh).c_str(),
                             calibrated.volume));
+    if (!mesh.left_out.empty())
+      {
+        session.print("Left out: " + mesh.left_out + '.');
+        session.skip("Cells",
+                     mesh.left_out + ", by 'Leave out' in section Geometry");
+      }
     session.print(format_boundary_table<dim>(boundary_table(mesh)));
     const auto mesh_materials = material_table(mesh);
     if (mesh_materials.size() > 1 || !mesh.material_names.empty())
@@ -291,6 +289,8 @@ namespace springfit
       report_homogenised(scene, calibrated, session);
     else
       report_surface(calibrated, session);
+
+    tell_stable_steps(scene, calibrated, session);
 
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {

@@ -216,6 +216,12 @@ namespace springfit
           done.files.push_back(file);
         ++done.n_cases;
       }
+    if (!scene.dynamics.settings().has_finite_elements)
+      session.skip("Motion of the finite elements",
+                   "'Finite elements = false' in section Dynamics");
+    if (!(scene.dynamics.settings().frame_interval > 0.))
+      session.skip("Pictures for ParaView",
+                   "'Frame interval = 0' in section Dynamics");
     write_motion_summaries(session.draft(), done.summaries);
     std::filesystem::remove(session.draft() / checkpoint_name);
 

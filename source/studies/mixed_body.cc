@@ -9,20 +9,6 @@
 
 namespace springfit
 {
-  namespace
-  {
-    /** The columns of some nodes. */
-    Eigen::MatrixXd
-    columns(const Eigen::MatrixXd &values,
-            const std::vector<unsigned int> &nodes)
-    {
-      Eigen::MatrixXd of_nodes(values.rows(), nodes.size());
-      for (std::size_t a = 0; a < nodes.size(); ++a)
-        of_nodes.col(a) = values.col(nodes[a]);
-      return of_nodes;
-    }
-  } // namespace
-
   template <int dim, int spacedim>
   MixedBody<dim, spacedim>::MixedBody(
     const CalibratedScene<dim, spacedim> &calibrated,
@@ -107,42 +93,49 @@ namespace springfit
   }
 
   template <int dim, int spacedim>
-  Eigen::MatrixXd
+  std::vector<Eigen::MatrixXd>
   MixedBody<dim, spacedim>::missing_forces(
     const unsigned int cell,
-    const unsigned int model,
     const Eigen::MatrixXd &displacement) const
   {
     const auto &iterator = iterators_[cell];
     const auto &nodes    = calibrated_.mesh->nodes.of(iterator);
-    if (model == models_.size())
-      return Eigen::MatrixXd::Zero(spacedim, nodes.size());
-    Eigen::MatrixXd missing =
+    const Eigen::MatrixXd exact =
       -energy_
          .evaluate(law_,
                    iterator,
                    calibrated_.materials.at(iterator->material_id()),
-                   columns(displacement, nodes))
+                   displacement(Eigen::all, nodes))
          ->gradient.reshaped(spacedim, nodes.size());
 
+    // The copy of a cell has its nodes in an order of its own.
     const auto &copy = cells_.copies[cell];
     Eigen::MatrixXd rest(spacedim, copy.nodes.size());
+    std::vector<unsigned int> places;
     for (std::size_t a = 0; a < copy.nodes.size(); ++a)
-      for (int d = 0; d < spacedim; ++d)
-        rest(d, a) = calibrated_.mesh->nodes.places[copy.nodes[a]][d];
-    const auto families =
-      families_of_cell<dim, spacedim>(models_[model][copy.distinct],
-                                      copy,
-                                      rest);
-    const Eigen::MatrixXd u = columns(displacement, copy.nodes);
-    Eigen::MatrixXd forces  = Eigen::MatrixXd::Zero(u.rows(), u.cols());
-    if (kinematics_ == Kinematics::nonlinear)
-      add_forces(families, rest + u, forces);
-    else
-      add_tangent_product(families, rest, -u, forces);
-    for (std::size_t a = 0; a < copy.nodes.size(); ++a)
-      missing.col(std::find(nodes.begin(), nodes.end(), copy.nodes[a]) -
-                  nodes.begin()) -= forces.col(a);
+      {
+        for (int d = 0; d < spacedim; ++d)
+          rest(d, a) = calibrated_.mesh->nodes.places[copy.nodes[a]][d];
+        places.push_back(std::find(nodes.begin(), nodes.end(), copy.nodes[a]) -
+                         nodes.begin());
+      }
+    const Eigen::MatrixXd u = displacement(Eigen::all, copy.nodes);
+
+    std::vector<Eigen::MatrixXd> missing(n_models(), exact);
+    missing.back().setZero();
+    for (std::size_t k = 0; k < models_.size(); ++k)
+      {
+        const auto families =
+          families_of_cell<dim, spacedim>(models_[k][copy.distinct],
+                                          copy,
+                                          rest);
+        Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(u.rows(), u.cols());
+        if (kinematics_ == Kinematics::nonlinear)
+          add_forces(families, rest + u, forces);
+        else
+          add_tangent_product(families, rest, -u, forces);
+        missing[k](Eigen::all, places) -= forces;
+      }
     return missing;
   }
 

@@ -1,5 +1,5 @@
 #include <springfit/core/atomic_file.h>
-#include <springfit/core/parameters.h>
+#include <springfit/core/parameter_text.h>
 #include <springfit/fit/methods.h>
 #include <springfit/studies/recommended_scene.h>
 

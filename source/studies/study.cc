@@ -13,7 +13,8 @@ namespace springfit
       {StudyKind::sweep, "sweep"},
       {StudyKind::dynamics, "dynamics"},
       {StudyKind::tradeoff, "tradeoff"},
-      {StudyKind::adapt, "adapt"}};
+      {StudyKind::adapt, "adapt"},
+      {StudyKind::stability, "stability"}};
     return table;
   }
 
@@ -72,6 +73,7 @@ namespace springfit
         case StudyKind::compare:
           scene.loads.check();
           scene.statics.check();
+          scene.reference.degree();
           scene.fit.check_states(scene.statics.material_law());
           break;
         case StudyKind::sweep:
@@ -124,6 +126,20 @@ namespace springfit
           check_step(scene);
           scene.adapt.settings();
           break;
+        case StudyKind::stability:
+          if (scene.fit.scope() == Scope::object)
+            throw EntryError("Fit/Scope",
+                             "a study of stability fits cells.",
+                             "Set it to cell.");
+          scene.loads.check();
+          scene.statics.check();
+          scene.fit.check_states(scene.statics.material_law());
+          check_motion(scene);
+          check_step(scene);
+          scene.stability.check(scene.material,
+                                (scene.fit.rows().size() + 1) *
+                                  scene.statics.kinematics().size());
+          break;
       }
   }
 
@@ -149,6 +165,8 @@ namespace springfit
             return tradeoff<dim, spacedim>(scene, session);
           case StudyKind::adapt:
             return adapt<dim, spacedim>(scene, session);
+          case StudyKind::stability:
+            return stability<dim, spacedim>(scene, session);
         }
     }
   } // namespace

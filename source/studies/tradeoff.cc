@@ -3,6 +3,7 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/progress.h>
+#include <springfit/output/gnuplot.h>
 #include <springfit/output/tradeoff_page.h>
 #include <springfit/output/tradeoff_table.h>
 #include <springfit/response/stability.h>
@@ -346,7 +347,8 @@ namespace springfit
       write_recommended_scene(session.draft(), rows[*advice.chosen], demand);
     write_page(session.draft(), rows, demand, advice, facts);
     if (advice.most_accurate)
-      if (const std::string problem = draw_tradeoff(session.draft());
+      if (const std::string problem =
+            draw(session.draft(), "tradeoff.gp", "tradeoff.md");
           !problem.empty())
         session.warn(problem);
     session.say_at_the_end(

@@ -1,4 +1,4 @@
-#include <springfit/core/parameters.h>
+#include <springfit/core/parameter_text.h>
 
 #include <gtest/gtest.h>
 

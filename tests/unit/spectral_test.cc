@@ -3,6 +3,7 @@
 #include <springfit/fit/cell/ipopt_engine.h>
 #include <springfit/fit/cell/spectral.h>
 #include <springfit/fit/fit.h>
+#include <springfit/springs/rigid_modes.h>
 
 #include <gtest/gtest.h>
 
@@ -176,7 +177,10 @@ namespace
         const auto solution = engine == Engine::ipopt
                                 ? solve_by_ipopt(problem, 1e-10)
                                 : solve_by_barrier(problem, 1e-10);
-        const double bound  = dual_bound(problem, solution.multiplier);
+        const double bound =
+          dual_bound(problem,
+                     solution,
+                     spectral_norm(residual(problem, solution.k)));
         EXPECT_GT(bound, 1e-3);
         for (const double size : {1e-8, 1e-4, 1e-2, 1.})
           for (unsigned int trial = 0; trial < 20; ++trial)
@@ -200,28 +204,30 @@ namespace
     const auto solution  = solve_by_barrier(problem, 1e-10);
     const double optimum = spectral_norm(residual(problem, solution.k));
     const int n          = problem.R.rows();
-    double best          = 0.;
+    const auto bound_by  = [&](const Eigen::MatrixXd &multiplier) {
+      return dual_bound(problem, {{}, multiplier, {}}, optimum);
+    };
+    double best = 0.;
     for (unsigned int trial = 0; trial < 100; ++trial)
       {
         const Eigen::MatrixXd noise = random.matrix(n, n);
         const Eigen::MatrixXd wrong =
           random(0., 1.) * solution.multiplier +
           random(0., 1.) * (noise + noise.transpose());
-        best = std::max(best, dual_bound(problem, wrong));
-        EXPECT_LE(dual_bound(problem, wrong), optimum + 1e-14);
+        best = std::max(best, bound_by(wrong));
+        EXPECT_LE(bound_by(wrong), optimum + 1e-14);
       }
     EXPECT_GT(best, 0.); // so the bounds above were not all trivial
 
     // The limits: nothing, no number, the springs themselves (which no
     // multiplier may contain), a multiple.
-    EXPECT_EQ(dual_bound(problem, Eigen::MatrixXd::Zero(n, n)), 0.);
-    EXPECT_EQ(dual_bound(problem,
-                         Eigen::MatrixXd::Constant(
-                           n, n, std::numeric_limits<double>::quiet_NaN())),
+    EXPECT_EQ(bound_by(Eigen::MatrixXd::Zero(n, n)), 0.);
+    EXPECT_EQ(bound_by(Eigen::MatrixXd::Constant(
+                n, n, std::numeric_limits<double>::quiet_NaN())),
               0.);
-    EXPECT_LE(dual_bound(problem, problem.B * problem.B.transpose()), 1e-12);
-    EXPECT_NEAR(dual_bound(problem, 100. * solution.multiplier),
-                dual_bound(problem, solution.multiplier),
+    EXPECT_LE(bound_by(problem.B * problem.B.transpose()), 1e-12);
+    EXPECT_NEAR(bound_by(100. * solution.multiplier),
+                bound_by(solution.multiplier),
                 1e-12);
   }
 
@@ -230,6 +236,100 @@ namespace
                            ::testing::Combine(::testing::ValuesIn(all_kinds),
                                               ::testing::ValuesIn(all_engines),
                                               ::testing::Bool()));
+
+  TEST(CertificateOfSlivers, OfAnObtuseTriangleIsNoMoreThanItsValue)
+  {
+    // Rounding of the projection passed for a bound here.
+    const double slope      = std::tan(10. * M_PI / 180.);
+    const Eigen::MatrixXd D = plane_strain(0.3);
+    Eigen::MatrixXd points(2, 3);
+    points << 0., 1., 0.5, 0., 0., 0.5 * slope;
+    for (const Engine engine : all_engines)
+      for (const bool nonnegative : {false, true})
+        {
+          FitOptions options = options_of(engine, nonnegative);
+          options.enrichment = Enrichment::angles;
+          const auto result =
+            fit(make_fit_problem(points,
+                                 CellKind::triangle,
+                                 stiffness(points, CellKind::triangle, D),
+                                 {1., 0.3, 1.}),
+                method_named("spectral"),
+                options);
+          EXPECT_LE(*result.duality_gap, 1e-6);
+          EXPECT_GT(*result.duality_gap, -1e-12);
+        }
+  }
+
+
+  // Springs >= 0 and a cell that is no softer than a floor.
+
+  TEST(SpectralFloor, IsMetAndCertified)
+  {
+    // Angles of a regular tetrahedron must be negative to give it its bulk
+    // modulus; asked to be >= 0 they left 28.7 %.
+    const auto problem = regular_problem(CellKind::tetrahedron, 0.45);
+    for (const Engine engine : all_engines)
+      {
+        FitOptions options = options_of(engine, true);
+        options.enrichment = Enrichment::angles;
+        const auto result  = fit(problem, method_named("spectral"), options);
+        EXPECT_LE(*result.duality_gap, 1e-6);
+        EXPECT_GT(*result.duality_gap, -1e-12);
+        EXPECT_EQ(result.n_negative, 0u);
+        EXPECT_GE(*result.smallest_eigenvalue, 0.);
+        const auto block = fit(problem, method_named("block"), options);
+        if (*block.smallest_eigenvalue >= *result.smallest_eigenvalue)
+          EXPECT_LE(result.spectral_residual, block.spectral_residual + 1e-9);
+      }
+  }
+
+  TEST(SpectralFloor, IsAConstraintWithACertificateOfItsOwn)
+  {
+    Random random(17);
+    unsigned int n_active = 0;
+    for (const CellKind kind : all_kinds)
+      for (unsigned int cell = 0; cell < 10; ++cell)
+        {
+          const auto problem      = slender_problem(kind, random);
+          const Eigen::MatrixXd Q = deformation_basis(problem.points);
+          // Softer deformations than this share of R are not allowed.
+          const auto program = make_spectral_problem(
+            problem.points,
+            problem.gradients,
+            problem.stiffness,
+            problem.springs.size(),
+            0.2 * Q * (Q.transpose() * problem.stiffness * Q) * Q.transpose());
+          const auto without =
+            spectral_problem(problem, problem.springs.size());
+          double first = -1.;
+          for (const Engine engine : all_engines)
+            {
+              const auto solution = engine == Engine::ipopt
+                                      ? solve_by_ipopt(program, 1e-10)
+                                      : solve_by_barrier(program, 1e-10);
+              const double value = spectral_norm(residual(program, solution.k));
+              const double bound = dual_bound(program, solution, value);
+              EXPECT_LE(bound, value + 1e-14);
+              EXPECT_LE(value - bound, 1e-6);
+              if (first >= 0.)
+                EXPECT_NEAR(value, first, 1e-7);
+              first = value;
+              const Eigen::MatrixXd K =
+                program.R - residual(program, solution.k);
+              EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                          K - program.least)
+                          .eigenvalues()[0],
+                        -1e-12);
+              const auto free_solution = solve_by_barrier(without, 1e-10);
+              const double of_free =
+                spectral_norm(residual(without, free_solution.k));
+              EXPECT_GE(value, of_free - 1e-8);
+              n_active += value > of_free + 1e-6;
+            }
+        }
+    EXPECT_GT(n_active, 10u); // so the constraint was one
+  }
 
   TEST(Engines, Agree)
   {

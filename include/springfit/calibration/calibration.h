@@ -38,6 +38,22 @@ namespace springfit
             const Eigen::MatrixXd &responses,
             MaterialLaw law,
             Session &session);
+
+  /**
+   * The network of one method with one enrichment, of fits of cells, without a
+   * word of warning. Collective.
+   *
+   * @throws RunError as calibrate() does.
+   */
+  template <int dim, int spacedim>
+  CalibratedNetwork
+  calibrate_row(const FitSection<spacedim> &section,
+                const typename FitSection<spacedim>::Row &row,
+                const Mesh<dim, spacedim> &mesh,
+                const Element<dim, spacedim> &element,
+                const MaterialTable &materials,
+                MaterialLaw law,
+                Session &session);
 } // namespace springfit
 
 #endif

@@ -6,26 +6,11 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <filesystem>
-#include <istream>
-#include <map>
 #include <string>
 #include <vector>
 
 namespace springfit
 {
-  /** A `set` line of a parameter file. */
-  struct ParameterLine
-  {
-    std::string entry; // with its sections: "Geometry/Cell size"
-    std::string value;
-    unsigned int line; // from 1
-  };
-
-  /** Every `set` line of a parameter file, in order. */
-  std::vector<ParameterLine>
-  scan_parameters(std::istream &file);
-
-
   /**
    * What the user says on the command line: a parameter file, and entries
    * that take precedence over it, each as "Section/Entry=value".
@@ -66,15 +51,6 @@ namespace springfit
    */
   void
   read_parameters(dealii::ParameterHandler &prm, const ParameterSource &source);
-
-  /**
-   * The text of a parameter file with other values of some entries, by their
-   * sections and names as in "Geometry/Cell size": each must have a `set` line
-   * in it, as files have that name all entries.
-   */
-  std::string
-  with_entries(const std::string &text,
-               const std::map<std::string, std::string> &values);
 
   /**
    * Read a single top-level entry and ignore all others; empty when it is not

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace springfit
 {
@@ -74,6 +75,13 @@ namespace springfit
     dealii::TimerOutput &
     timer();
 
+    /**
+     * A step that the scene does not need, for the log below the table of
+     * times: "Equilibria", "a calibration loads nothing".
+     */
+    void
+    skip(const std::string &step, const std::string &why);
+
     /** What to open in the output folder: the last line of a run. */
     void
     say_at_the_end(const std::string &what_to_open);
@@ -119,6 +127,7 @@ namespace springfit
     const std::unique_ptr<OutputFolder> folder_; // of the first rank
     const std::string draft_name_;
     std::string last_line_;
+    std::vector<std::string> skipped_;
     std::ofstream log_file_;
     dealii::ConditionalOStream log_stream_;
     dealii::TimerOutput timer_;

@@ -24,8 +24,7 @@ namespace springfit
      * Of a spectral fit: how far at most ||E(k)||_2 is from the smallest
      * possible one, relative to ||R||_2. Certified by a dual bound, whatever
      * the engine did. Of a consistent fit in the spectral norm: the same of S E
-     * S and S R S, see consistent.h. Where FitOptions::nonnegative had to hold
-     * volumes and angles too, smallest is meant with all of them >= 0.
+     * S and S R S, see consistent.h.
      */
     std::optional<double> duality_gap;
 
@@ -41,6 +40,12 @@ namespace springfit
 
     /** Of a fit over several states, see residual_over_states(). */
     std::optional<double> states_residual = {};
+
+    /**
+     * Whether FitOptions::engine did not certify the fit, and the other one
+     * solved it.
+     */
+    bool by_other_engine = false;
   };
 
   /**
@@ -50,9 +55,9 @@ namespace springfit
    *
    * @throws RunError when R is zero or not finite, when the engine breaks
    * down without a result, when a volume is zero or an angle straight or
-   * folded, when the constants are not finite, or when a fit with
-   * FitOptions::nonnegative without formulas of its own is not positive
-   * semidefinite all the same.
+   * folded, when the constants are not finite or a hundred times too stiff, or
+   * when a fit with FitOptions::nonnegative without formulas of its own is not
+   * positive semidefinite all the same.
    */
   FitResult
   fit(const FitProblem &problem,

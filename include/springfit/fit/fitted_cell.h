@@ -15,6 +15,9 @@ namespace springfit
 
     /** See FitResult::duality_gap. */
     std::optional<double> duality_gap = {};
+
+    /** See FitResult::by_other_engine. */
+    bool by_other_engine = false;
   };
 } // namespace springfit
 

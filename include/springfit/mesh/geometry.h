@@ -112,6 +112,7 @@ namespace springfit
     double jitter_            = 0.;
     std::string file_;
     std::string material_array_;
+    std::string left_out_;
     double scale_ = 1.;
   };
 } // namespace springfit

@@ -47,6 +47,9 @@ namespace springfit
     /** What a user should know about the mesh although it can be used. */
     std::vector<std::string> warnings;
 
+    /** Which cells the user left out, if any: "120 of 1000 cells, ...". */
+    std::string left_out;
+
     /**
      * Where along x the cross section is constant by design, so that a tensile
      * test measures there; of few objects only.

@@ -78,6 +78,9 @@ namespace springfit
 
     std::vector<std::string> warnings;
 
+    /** Which cells the user left out, if any: "120 of 1000 cells, ...". */
+    std::string left_out;
+
     /**
      * Where along x the cross section is constant by design, so that a tensile
      * test measures there.
@@ -109,7 +112,7 @@ namespace springfit
     {
       archive &name &cell_kind &vertices &cells &material_ids &cell_numbers
         &group_begins &facets &boundary_names &material_names
-          &unused_boundary_names &unused_material_names &warnings;
+          &unused_boundary_names &unused_material_names &warnings &left_out;
 
       bool has_straight_part = straight_part.has_value();
       archive &has_straight_part;

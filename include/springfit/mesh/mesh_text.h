@@ -2,6 +2,7 @@
 #define springfit_mesh_mesh_text_h
 
 #include <springfit/core/error.h>
+#include <springfit/core/trimmed.h>
 
 #include <cstddef>
 #include <filesystem>
@@ -48,10 +49,6 @@ namespace springfit
   /** @p text in capitals. */
   std::string
   in_capitals(std::string text);
-
-  /** @p text without blanks and tabs at its ends. */
-  std::string
-  trimmed(const std::string &text);
 
   /** The pieces between @p separator, trimmed; those in between may be empty.
    */

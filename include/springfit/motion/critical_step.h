@@ -18,10 +18,10 @@ namespace springfit
 
   /**
    * That of a body with its lumped masses at a displacement (m), by
-   * largest_mode() to 0.1 %: the tangent with the stress stiffness, Rayleigh's
-   * damping, loads as if their largest stiffness were that of every node, and
-   * dampers as if all of them damped the fastest motion, which is never too
-   * large a step.
+   * largest_mode() to 0.001 %: the tangent with the stress stiffness,
+   * Rayleigh's damping, loads as if their largest stiffness were that of every
+   * node, and dampers as if all of them damped the fastest motion, which is
+   * never too large a step.
    */
   CriticalStep
   critical_step(const MovingBody &body, const Eigen::MatrixXd &displacement);

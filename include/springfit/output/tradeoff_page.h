@@ -34,14 +34,6 @@ namespace springfit
              const Demand &demand,
              const Advice &advice,
              const ReferenceFacts &facts);
-
-  /**
-   * Let gnuplot make tradeoff.svg and tradeoff.png of tradeoff.gp.
-   *
-   * @return what is wrong, or nothing.
-   */
-  std::string
-  draw_tradeoff(const std::filesystem::path &folder);
 } // namespace springfit
 
 #endif

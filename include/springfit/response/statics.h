@@ -109,6 +109,27 @@ namespace springfit
     check() const;
 
   private:
+    /** Whether an equilibrium of cells turned inside out is one. */
+    enum class InvertedCells
+    {
+      refused,
+      accepted
+    };
+
+    std::unique_ptr<Model>
+    linear(const Discretization<spacedim> &discretization,
+           const BodyOfMembers &body,
+           const ModelWords &words) const;
+
+    template <int dim>
+    std::unique_ptr<Model>
+    nonlinear(const Discretization<spacedim> &discretization,
+              const Mesh<dim, spacedim> &mesh,
+              const Element<dim, spacedim> &element,
+              std::unique_ptr<const BodyOfMembers> body,
+              InvertedCells inverted_cells,
+              const ModelWords &words) const;
+
     /**
      * Makes the solver for a matrix, as asked for or by its size: by default
      * conjugate gradients from @p smallest_cg unknowns on.

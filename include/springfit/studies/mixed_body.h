@@ -48,14 +48,12 @@ namespace springfit
     exact_body() const;
 
     /**
-     * The forces of each cell's finite element less those of one of its
-     * models, at a displacement (m, spacedim x n_nodes): what the model misses,
-     * E(k) u of linear ones. N, a column per node of the cell in the order of
-     * the mesh.
+     * The forces of a cell's finite element less those of each of the models,
+     * at a displacement (m, spacedim x n_nodes): what a model misses, E(k) u of
+     * linear ones. N, a column per node of the cell in the order of the mesh.
      */
-    Eigen::MatrixXd
+    std::vector<Eigen::MatrixXd>
     missing_forces(unsigned int cell,
-                   unsigned int model,
                    const Eigen::MatrixXd &displacement) const;
 
   private:

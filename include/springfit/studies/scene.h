@@ -9,6 +9,8 @@
 #include <springfit/response/loads.h>
 #include <springfit/response/statics.h>
 #include <springfit/studies/adapt_section.h>
+#include <springfit/studies/reference_section.h>
+#include <springfit/studies/stability_section.h>
 #include <springfit/studies/sweep_range.h>
 #include <springfit/studies/tradeoff_section.h>
 
@@ -31,11 +33,13 @@ namespace springfit
     FitSection<dim> fit;
     Loads<dim> loads;
     Statics<dim> statics;
+    ReferenceSection<dim> reference;
     Dynamics<dim> dynamics;
     Contact<dim> contact;
     SweepRange<dim> sweep_range;
     TradeoffSection<dim> tradeoff;
     AdaptSection<dim> adapt;
+    StabilitySection<dim> stability;
   };
 } // namespace springfit
 

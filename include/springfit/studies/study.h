@@ -15,7 +15,8 @@ namespace springfit
     sweep,
     dynamics,
     tradeoff,
-    adapt
+    adapt,
+    stability
   };
 
   const WordTable<StudyKind> &
@@ -83,6 +84,14 @@ namespace springfit
   template <int dim, int spacedim>
   void
   adapt(const Scene<spacedim> &scene, Session &session);
+
+  /**
+   * Every model at the extremes that section Stability names: verdicts, and
+   * where they change.
+   */
+  template <int dim, int spacedim>
+  void
+  stability(const Scene<spacedim> &scene, Session &session);
 
   /**
    * What a single cell delivers in a tensile test, over the material's

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace springfit
 {
@@ -12,27 +13,34 @@ namespace springfit
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /** A1 and A2 at x = (k, t), factorised. */
+    /** One of the A, factorised. */
+    struct Cone
+    {
+      double sign;  // dA/dk_s = sign b_s b_s^T
+      double depth; // dA/dt = depth I
+      Eigen::LLT<Eigen::MatrixXd> A;
+    };
+
+    /** All of them at x = (k, t). */
     struct Cones
     {
       Cones(const SpectralProblem &problem, const Eigen::VectorXd &x)
-        : k(x.head(problem.B.cols()))
-        , t(x[problem.B.cols()])
-        , E(residual(problem, k))
-        , I(Eigen::MatrixXd::Identity(E.rows(), E.cols()))
-        , lower(t * I - E)
-        , upper(t * I + E)
-        , inside(lower.info() == Eigen::Success &&
-                 upper.info() == Eigen::Success &&
-                 (k.head(problem.n_nonnegative).array() > 0.).all())
-      {}
+        : k(x.head(problem.B.cols())), t(x[problem.B.cols()])
+      {
+        const Eigen::MatrixXd E = residual(problem, k);
+        const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(E.rows(), E.cols());
+        all.push_back({1., 1., (t * I - E).llt()});
+        all.push_back({-1., 1., (t * I + E).llt()});
+        if (problem.least.size() > 0)
+          all.push_back({1., 0., (problem.R - E - problem.least).llt()});
+        inside = (k.head(problem.n_nonnegative).array() > 0.).all();
+        for (const Cone &cone : all)
+          inside = inside && cone.A.info() == Eigen::Success;
+      }
 
       Eigen::VectorXd k;
       double t;
-      Eigen::MatrixXd E;
-      Eigen::MatrixXd I;
-      Eigen::LLT<Eigen::MatrixXd> lower;
-      Eigen::LLT<Eigen::MatrixXd> upper;
+      std::vector<Cone> all;
       bool inside;
     };
 
@@ -48,8 +56,11 @@ namespace springfit
     {
       if (!cones.inside)
         return infinity;
-      return cones.t / mu - log_det(cones.lower) - log_det(cones.upper) -
-             cones.k.head(problem.n_nonnegative).array().log().sum();
+      double sum =
+        cones.t / mu - cones.k.head(problem.n_nonnegative).array().log().sum();
+      for (const Cone &cone : cones.all)
+        sum -= log_det(cone.A);
+      return sum;
     }
 
     struct Derivatives
@@ -58,26 +69,25 @@ namespace springfit
       Eigen::MatrixXd hessian; // lower triangle
     };
 
-    /** Those of -log det A, dA/dk_s = sign b_s b_s^T, dA/dt = I. */
+    /** Those of -log det A. */
     void
-    add_cone(const double sign,
+    add_cone(const Cone &cone,
              const Eigen::MatrixXd &B,
-             const Eigen::LLT<Eigen::MatrixXd> &A,
              Derivatives &derivatives)
     {
       const Eigen::Index n_springs = B.cols();
       const Eigen::MatrixXd X =
-        A.solve(Eigen::MatrixXd::Identity(B.rows(), B.rows()));
+        cone.A.solve(Eigen::MatrixXd::Identity(B.rows(), B.rows()));
       const Eigen::MatrixXd X_B   = X * B;
       const Eigen::MatrixXd B_X_B = B.transpose() * X_B;
 
-      derivatives.gradient.head(n_springs) -= sign * B_X_B.diagonal();
-      derivatives.gradient[n_springs] -= X.trace();
+      derivatives.gradient.head(n_springs) -= cone.sign * B_X_B.diagonal();
+      derivatives.gradient[n_springs] -= cone.depth * X.trace();
       derivatives.hessian.topLeftCorner(n_springs, n_springs) +=
         B_X_B.cwiseAbs2();
       derivatives.hessian.row(n_springs).head(n_springs) +=
-        sign * X_B.colwise().squaredNorm();
-      derivatives.hessian(n_springs, n_springs) += X.squaredNorm();
+        cone.depth * cone.sign * X_B.colwise().squaredNorm();
+      derivatives.hessian(n_springs, n_springs) += cone.depth * X.squaredNorm();
     }
 
     Derivatives
@@ -88,8 +98,8 @@ namespace springfit
       const Eigen::Index n = problem.B.cols() + 1;
       Derivatives derivatives{Eigen::VectorXd::Unit(n, n - 1) / mu,
                               Eigen::MatrixXd::Zero(n, n)};
-      add_cone(1., problem.B, cones.lower, derivatives);
-      add_cone(-1., problem.B, cones.upper, derivatives);
+      for (const Cone &cone : cones.all)
+        add_cone(cone, problem.B, derivatives);
       const Eigen::Index n_bounded  = problem.n_nonnegative;
       const Eigen::VectorXd inverse = cones.k.head(n_bounded).cwiseInverse();
       derivatives.gradient.head(n_bounded) -= inverse;
@@ -157,16 +167,18 @@ namespace springfit
         }
       return x;
     }
+
     /**
-     * Y1 - Y2 at the centre for mu. There Y = mu A^-1, but rounding in A^-1
-     * spoils the constraints b_s^T (Y1 - Y2) b_s = 0. To first order in
-     * Newton's step, Y = mu (A^-1 - A^-1 dA A^-1), they are Newton's
-     * equations, which hold to the accuracy of their solution.
+     * The solution at the centre for mu, with its multipliers. There Y = mu
+     * A^-1, but rounding in A^-1 spoils the constraints b_s^T (Y1 - Y2 + Y3)
+     * b_s = 0. To first order in Newton's step, Y = mu (A^-1 - A^-1 dA A^-1),
+     * they are Newton's equations, which hold to the accuracy of their
+     * solution.
      */
-    Eigen::MatrixXd
-    multiplier(const SpectralProblem &problem,
-               const Eigen::VectorXd &x,
-               const double mu)
+    SpectralSolution
+    solution_at(const SpectralProblem &problem,
+                const Eigen::VectorXd &x,
+                const double mu)
     {
       const Eigen::Index n_springs = problem.B.cols();
       const Cones cones(problem, x);
@@ -175,10 +187,21 @@ namespace springfit
 
       const Eigen::MatrixXd dK =
         problem.B * step.head(n_springs).asDiagonal() * problem.B.transpose();
-      const Eigen::MatrixXd dt = step[n_springs] * cones.I;
-      const Eigen::MatrixXd X  = cones.lower.solve(cones.I);
-      const Eigen::MatrixXd Z  = cones.upper.solve(cones.I);
-      return mu * (X - X * (dt + dK) * X - Z + Z * (dt - dK) * Z);
+      const Eigen::Index n    = problem.B.rows();
+      const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(n, n);
+      SpectralSolution solution{cones.k, Eigen::MatrixXd::Zero(n, n), {}};
+      for (const Cone &cone : cones.all)
+        {
+          const Eigen::MatrixXd dA =
+            cone.sign * dK + cone.depth * step[n_springs] * I;
+          const Eigen::MatrixXd X = cone.A.solve(I);
+          const Eigen::MatrixXd Y = mu * (X - X * dA * X);
+          if (cone.depth == 0.)
+            solution.multiplier_of_least = Y;
+          else
+            solution.multiplier += cone.sign * Y;
+        }
+      return solution;
     }
   } // namespace
 
@@ -199,6 +222,6 @@ namespace springfit
       x = centre(problem, x, now, roughly);
     x = centre(problem, x, mu, to_rounding);
 
-    return {x.head(problem.B.cols()), multiplier(problem, x, mu)};
+    return solution_at(problem, x, mu);
   }
 } // namespace springfit

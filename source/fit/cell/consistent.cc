@@ -128,12 +128,17 @@ namespace springfit
   make_consistent_spectral_problem(const Eigen::MatrixXd &points,
                                    const Eigen::MatrixXd &B,
                                    const Eigen::MatrixXd &R,
-                                   const Eigen::Index n_nonnegative)
+                                   const Eigen::Index n_nonnegative,
+                                   const Eigen::MatrixXd &least)
   {
     const Eigen::MatrixXd Q = affine_basis(points);
     const Eigen::MatrixXd S = Eigen::MatrixXd::Identity(Q.rows(), Q.rows()) +
                               (affine_factor - 1.) * Q * Q.transpose();
-    return make_spectral_problem(points, S * B, S * R * S, n_nonnegative);
+    return make_spectral_problem(points,
+                                 S * B,
+                                 S * R * S,
+                                 n_nonnegative,
+                                 least.size() > 0 ? S * least * S : least);
   }
 
 

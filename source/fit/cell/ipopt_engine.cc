@@ -1,6 +1,6 @@
 #include <springfit/core/error.h>
-#include <springfit/fit/programs/ipopt_application.h>
 #include <springfit/fit/cell/ipopt_engine.h>
+#include <springfit/fit/programs/ipopt_application.h>
 
 #include <IpJournalist.hpp>
 #include <IpTNLP.hpp>
@@ -48,7 +48,7 @@ namespace springfit
                    IndexStyleEnum &index_style) override
       {
         n           = problem_.B.cols() + 1;
-        m           = 2 * problem_.B.rows();
+        m           = n_pivots(problem_);
         n_jacobian  = n * m;
         n_hessian   = n * (n + 1) / 2;
         index_style = C_STYLE;
@@ -234,14 +234,13 @@ namespace springfit
     // of 1e-9. What counts is the certificate of the point.
     application->OptimizeTNLP(program);
 
-    const auto multiplier =
-      program->x.size() == 0
-        ? std::optional<Eigen::MatrixXd>()
-        : pivot_multiplier(problem, program->x, program->y);
-    if (!multiplier)
+    const auto solution = program->x.size() == 0
+                            ? std::optional<SpectralSolution>()
+                            : pivot_solution(problem, program->x, program->y);
+    if (!solution)
       throw RunError("Ipopt found no point of a spectral fit.",
                      "Set 'Fit/Engine' to 'barrier'.");
-    return {program->x.head(problem.B.cols()), *multiplier};
+    return *solution;
   }
 
 

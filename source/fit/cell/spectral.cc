@@ -1,3 +1,4 @@
+#include <springfit/core/error.h>
 #include <springfit/fit/cell/frobenius.h>
 #include <springfit/fit/cell/spectral.h>
 #include <springfit/springs/rigid_modes.h>
@@ -5,33 +6,37 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include <vector>
+
 namespace springfit
 {
   namespace
   {
     /**
-     * One of the two cones at a point, A = C C^T = L D L^T, seen through
-     * C^-1: with L = C D^(-1/2) the derivatives of the pivots need
-     * L^-1 b_s = D^(1/2) u_s and L^-1 L^-T = D^(1/2) V D^(1/2).
+     * One of the cones at a point, A = C C^T = L D L^T, seen through C^-1: with
+     * L = C D^(-1/2) the derivatives of the pivots need L^-1 b_s = D^(1/2) u_s
+     * and L^-1 L^-T = D^(1/2) V D^(1/2).
      */
     struct Cone
     {
       /** dA/dk_s = sign b_s b_s^T */
       double sign;
 
+      /** dA/dt = depth I: 1, or 0 of A3 */
+      double depth;
+
       Eigen::MatrixXd inverse_factor; // C^-1
       Eigen::VectorXd d;              // the pivots, diag(C)^2
     };
 
     std::optional<Cone>
-    make_cone(const double sign, const Eigen::MatrixXd &E, const double t)
+    make_cone(const double sign, const double depth, const Eigen::MatrixXd &A)
     {
-      Eigen::MatrixXd A = -sign * E;
-      A.diagonal().array() += t;
       const Eigen::LLT<Eigen::MatrixXd> llt(A);
       if (!(llt.info() == Eigen::Success))
         return {};
       Cone cone{sign,
+                depth,
                 Eigen::MatrixXd::Identity(A.rows(), A.cols()),
                 llt.matrixLLT().diagonal().cwiseAbs2()};
       llt.matrixL().solveInPlace(cone.inverse_factor);
@@ -40,17 +45,29 @@ namespace springfit
       return cone;
     }
 
-    /** A1 and A2 at x = (k, t), or none when either is not definite. */
+    bool
+    has_least(const SpectralProblem &problem)
+    {
+      return problem.least.size() > 0;
+    }
+
+    /** All of them at x = (k, t), or none when one is not definite. */
     std::vector<Cone>
     make_cones(const SpectralProblem &problem, const Eigen::VectorXd &x)
     {
       const Eigen::Index n_springs = problem.B.cols();
       const Eigen::MatrixXd E      = residual(problem, x.head(n_springs));
-      const auto lower             = make_cone(1., E, x[n_springs]);
-      const auto upper             = make_cone(-1., E, x[n_springs]);
-      if (lower && upper)
-        return {*lower, *upper};
-      return {};
+      const Eigen::MatrixXd t =
+        x[n_springs] * Eigen::MatrixXd::Identity(E.rows(), E.cols());
+      std::vector<std::optional<Cone>> found = {make_cone(1., 1., t - E),
+                                                make_cone(-1., 1., t + E)};
+      if (has_least(problem))
+        found.push_back(make_cone(1., 0., problem.R - E - problem.least));
+      std::vector<Cone> cones;
+      for (const auto &cone : found)
+        if (cone)
+          cones.push_back(*cone);
+      return cones.size() == found.size() ? cones : std::vector<Cone>();
     }
 
     /**
@@ -86,6 +103,8 @@ namespace springfit
             hessian(s, t) = sum;
           }
 
+      if (cone.depth == 0.)
+        return hessian;
       // The row of t, whose W is full.
       for (Eigen::Index i = 1; i < n; ++i)
         {
@@ -103,26 +122,57 @@ namespace springfit
   make_spectral_problem(const Eigen::MatrixXd &points,
                         const Eigen::MatrixXd &B,
                         const Eigen::MatrixXd &R,
-                        const Eigen::Index n_nonnegative)
+                        const Eigen::Index n_nonnegative,
+                        const Eigen::MatrixXd &least)
   {
     const Eigen::MatrixXd Q         = deformation_basis(points);
     const Eigen::MatrixXd projected = Q.transpose() * R * Q;
     const double scale              = spectral_norm(projected);
-    return {projected / scale, Q.transpose() * B, scale, n_nonnegative};
+    SpectralProblem problem{projected / scale,
+                            Q.transpose() * B,
+                            scale,
+                            n_nonnegative};
+    if (least.size() > 0)
+      problem.least = Q.transpose() * least * Q / scale;
+    return problem;
   }
 
 
   Eigen::VectorXd
   interior_point(const SpectralProblem &problem)
   {
-    // t well above the norm, also where the residual vanishes: a path that
+    // Well above the bounds, also where the residual vanishes: a path that
     // starts near the boundary is slow to leave it.
     constexpr double k_floor = 0.01;
     constexpr double t_floor = 0.05;
+    constexpr double above   = 1.5; // times the least stiffness
 
     Eigen::VectorXd k  = fit_frobenius(problem.B, problem.R, 0);
     const auto bounded = Eigen::seqN(0, problem.n_nonnegative);
     k(bounded)         = k(bounded).cwiseMax(k_floor).eval();
+    if (has_least(problem))
+      {
+        const Eigen::MatrixXd wanted = above * problem.least;
+        const auto inside            = [&](const Eigen::VectorXd &constants) {
+          const Eigen::MatrixXd K = problem.R - residual(problem, constants);
+          return Eigen::LLT<Eigen::MatrixXd>(K - wanted).info() ==
+                 Eigen::Success;
+        };
+        Eigen::VectorXd equal = Eigen::VectorXd::Zero(k.size());
+        equal(bounded).setConstant(k_floor);
+        for (unsigned int doublings = 0; !inside(equal); ++doublings)
+          {
+            constexpr unsigned int most = 60;
+            if (doublings == most)
+              throw RunError("its springs cannot be as stiff as they should.",
+                             "Improve the mesh there.");
+            equal *= 2.;
+          }
+        double share = 0.;
+        while (!inside((1. - share) * k + share * equal))
+          share += 0.125;
+        k = ((1. - share) * k + share * equal).eval();
+      }
     Eigen::VectorXd x(k.size() + 1);
     x << k, 1.2 * spectral_norm(residual(problem, k)) + t_floor;
     return x;
@@ -149,14 +199,22 @@ namespace springfit
   }
 
 
+  Eigen::Index
+  n_pivots(const SpectralProblem &problem)
+  {
+    return (has_least(problem) ? 3 : 2) * problem.R.rows();
+  }
+
+
   std::optional<Eigen::VectorXd>
   pivots(const SpectralProblem &problem, const Eigen::VectorXd &x)
   {
     const auto cones = make_cones(problem, x);
     if (cones.empty())
       return {};
-    Eigen::VectorXd d(2 * problem.R.rows());
-    d << cones[0].d, cones[1].d;
+    Eigen::VectorXd d(n_pivots(problem));
+    for (std::size_t c = 0; c < cones.size(); ++c)
+      d.segment(c * problem.R.rows(), problem.R.rows()) = cones[c].d;
     return d;
   }
 
@@ -169,8 +227,8 @@ namespace springfit
     const auto cones             = make_cones(problem, x);
     if (cones.empty())
       return {};
-    Eigen::MatrixXd jacobian(2 * n, n_springs + 1);
-    for (Eigen::Index c = 0; c < 2; ++c)
+    Eigen::MatrixXd jacobian(n_pivots(problem), n_springs + 1);
+    for (std::size_t c = 0; c < cones.size(); ++c)
       {
         const Cone &cone = cones[c];
         auto rows        = jacobian.middleRows(c * n, n);
@@ -178,6 +236,7 @@ namespace springfit
           cone.sign * cone.d.asDiagonal() *
           (cone.inverse_factor * problem.B).cwiseAbs2();
         rows.col(n_springs) =
+          cone.depth *
           cone.d.cwiseProduct(cone.inverse_factor.rowwise().squaredNorm());
       }
     return jacobian;
@@ -193,32 +252,38 @@ namespace springfit
     const auto cones     = make_cones(problem, x);
     if (cones.empty())
       return {};
-    const Eigen::MatrixXd lower =
-      cone_hessian(cones[0], problem.B, weights.head(n)) +
-      cone_hessian(cones[1], problem.B, weights.tail(n));
+    Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(x.size(), x.size());
+    for (std::size_t c = 0; c < cones.size(); ++c)
+      lower += cone_hessian(cones[c], problem.B, weights.segment(c * n, n));
     return Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>());
   }
 
 
-  std::optional<Eigen::MatrixXd>
-  pivot_multiplier(const SpectralProblem &problem,
-                   const Eigen::VectorXd &x,
-                   const Eigen::VectorXd &y)
+  std::optional<SpectralSolution>
+  pivot_solution(const SpectralProblem &problem,
+                 const Eigen::VectorXd &x,
+                 const Eigen::VectorXd &y)
   {
     const Eigen::Index n = problem.B.rows();
     const auto cones     = make_cones(problem, x);
     if (cones.empty())
       return {};
-    Eigen::MatrixXd M = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index c = 0; c < 2; ++c)
+    SpectralSolution solution{x.head(problem.B.cols()),
+                              Eigen::MatrixXd::Zero(n, n),
+                              {}};
+    for (std::size_t c = 0; c < cones.size(); ++c)
       {
         // L^-1 = D^(1/2) C^-1
         const Cone &cone = cones[c];
         const Eigen::VectorXd weights =
           y.segment(c * n, n).cwiseProduct(cone.d);
-        M += cone.sign * cone.inverse_factor.transpose() *
-             weights.asDiagonal() * cone.inverse_factor;
+        const Eigen::MatrixXd Y = cone.inverse_factor.transpose() *
+                                  weights.asDiagonal() * cone.inverse_factor;
+        if (cone.depth == 0.)
+          solution.multiplier_of_least = Y;
+        else
+          solution.multiplier += cone.sign * Y;
       }
-    return M;
+    return solution;
   }
 } // namespace springfit

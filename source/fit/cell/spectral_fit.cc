@@ -1,3 +1,4 @@
+#include <springfit/core/error.h>
 #include <springfit/fit/cell/barrier_engine.h>
 #include <springfit/fit/cell/cell_terms.h>
 #include <springfit/fit/cell/certificate.h>
@@ -5,8 +6,11 @@
 #include <springfit/fit/cell/definiteness.h>
 #include <springfit/fit/cell/ipopt_engine.h>
 #include <springfit/fit/cell/spectral_fit.h>
+#include <springfit/springs/rigid_modes.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 namespace springfit
 {
@@ -22,21 +26,71 @@ namespace springfit
       return std::clamp(1e-4 * tolerance, 1e-12, 1e-10);
     }
 
-    SpectralSolution
-    solve(const SpectralProblem &problem, const FitOptions &options)
+    struct Attempt
     {
-      const double mu = final_mu(options.tolerance);
-      return options.engine == Engine::ipopt ? solve_by_ipopt(problem, mu)
-                                             : solve_by_barrier(problem, mu);
+      SpectralSolution solution;
+      double gap = std::numeric_limits<double>::infinity();
+    };
+
+    Attempt
+    solve(const SpectralProblem &problem,
+          const Engine engine,
+          const double tolerance)
+    {
+      const double mu = final_mu(tolerance);
+      Attempt attempt;
+      attempt.solution = engine == Engine::ipopt
+                           ? solve_by_ipopt(problem, mu)
+                           : solve_by_barrier(problem, mu);
+      attempt.gap      = duality_gap(problem, attempt.solution);
+      return attempt;
     }
 
-    /** Equal springs that are as soft as a cell may be, N/m. */
-    double
-    least_spring(const FitProblem &problem)
+    /** The problem of a cell by the engine asked for, or else by the other. */
+    FittedCell
+    solve(const CellTerms &terms,
+          const SpectralProblem &problem,
+          const FitOptions &options)
     {
-      const CellModel equal = equal_springs(problem);
-      return floor_of_eigenvalues(problem) /
-             smallest_eigenvalue(problem, equal) * equal.k()[0];
+      const auto cell_of = [&](const Attempt &attempt) {
+        FittedCell cell{make_cell_model(terms,
+                                        problem.scale * attempt.solution.k),
+                        attempt.gap};
+        return cell;
+      };
+      std::optional<Attempt> first;
+      std::optional<RunError> failure;
+      try
+        {
+          first = solve(problem, options.engine, options.tolerance);
+          if (first->gap <= options.tolerance)
+            return cell_of(*first);
+        }
+      catch (const RunError &error)
+        {
+          failure = error;
+        }
+
+      try
+        {
+          const Attempt second =
+            solve(problem,
+                  options.engine == Engine::ipopt ? Engine::barrier
+                                                  : Engine::ipopt,
+                  options.tolerance);
+          if (!first || second.gap < first->gap)
+            {
+              FittedCell cell      = cell_of(second);
+              cell.by_other_engine = true;
+              return cell;
+            }
+        }
+      catch (const RunError &)
+        {
+          if (!first)
+            throw *failure;
+        }
+      return cell_of(*first);
     }
   } // namespace
 
@@ -48,36 +102,25 @@ namespace springfit
     if (options.enrichment == Enrichment::coupling)
       return {fit_coupled_cell(problem)};
 
-    const CellTerms terms     = make_cell_terms(problem, options.enrichment);
-    const Eigen::MatrixXd &B  = terms.gradients;
-    const Eigen::Index n_all  = terms.norms.size();
-    const auto fit_at_or_over = [&](const Eigen::VectorXd &least,
-                                    const Eigen::Index n_bounded) {
-      // k = least + k', and k' >= 0 is fitted to what the least leaves.
-      const Eigen::MatrixXd rest =
-        problem.stiffness - B * least.asDiagonal() * B.transpose();
-      const SpectralProblem of_rest =
-        spectral_problem(problem.points, B, rest, n_bounded);
-      const SpectralSolution solution = solve(of_rest, options);
-      return FittedCell{make_cell_model(terms,
-                                        least + of_rest.scale * solution.k),
-                        duality_gap(of_rest, solution)};
+    const CellTerms terms    = make_cell_terms(problem, options.enrichment);
+    const auto fit_no_softer = [&](const Eigen::MatrixXd &least) {
+      return solve(terms,
+                   spectral_problem(problem.points,
+                                    terms.gradients,
+                                    problem.stiffness,
+                                    options.nonnegative ? terms.n_springs : 0,
+                                    least),
+                   options);
     };
 
-    const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n_all);
-    if (!options.nonnegative)
-      return fit_at_or_over(zero, 0);
-
-    const double floor = floor_of_eigenvalues(problem);
-    for (const Eigen::Index n_bounded : {terms.n_springs, n_all})
-      {
-        const FittedCell found = fit_at_or_over(zero, n_bounded);
-        if (smallest_eigenvalue(problem, found.model) >= floor)
-          return found;
-      }
-    Eigen::VectorXd least = zero;
-    least.head(terms.n_springs).setConstant(least_spring(problem));
-    return fit_at_or_over(least, n_all);
+    const FittedCell found = fit_no_softer({});
+    const double floor     = floor_of_eigenvalues(problem);
+    if (!options.nonnegative ||
+        smallest_eigenvalue(problem, found.model) >= floor)
+      return found;
+    const Eigen::MatrixXd Q = deformation_basis(problem.points);
+    return fit_no_softer(floor * spectral_norm(problem.stiffness) * Q *
+                         Q.transpose());
   }
 
   FittedCell

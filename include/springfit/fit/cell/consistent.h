@@ -61,7 +61,8 @@ namespace springfit
   make_consistent_spectral_problem(const Eigen::MatrixXd &points,
                                    const Eigen::MatrixXd &B,
                                    const Eigen::MatrixXd &R,
-                                   Eigen::Index n_nonnegative);
+                                   Eigen::Index n_nonnegative,
+                                   const Eigen::MatrixXd &least = {});
 
   /**
    * Of a cell, see approximation.h; in FitOptions::norm.

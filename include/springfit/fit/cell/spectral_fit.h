@@ -15,18 +15,19 @@ namespace springfit
   using SpectralProblemOf = SpectralProblem (*)(const Eigen::MatrixXd &points,
                                                 const Eigen::MatrixXd &B,
                                                 const Eigen::MatrixXd &R,
-                                                Eigen::Index n_nonnegative);
+                                                Eigen::Index n_nonnegative,
+                                                const Eigen::MatrixXd &least);
 
   /**
    * The forces of a cell that solve a spectral problem, by FitOptions::engine,
-   * and their certified gap. With all couplings a cell is exact, and nothing is
+   * and their certified gap. Where that is more than FitOptions::tolerance the
+   * other engine is tried. With all couplings a cell is exact, and nothing is
    * solved or certified.
    *
-   * With FitOptions::nonnegative springs are >= 0. Where the cell then releases
-   * energy in a deformation, or is softer in one than floor_of_eigenvalues(),
-   * all constants are asked to be >= 0, and where that does not do, the springs
-   * to be no softer than equal ones that are at the floor. The certificate is
-   * that of the problem with these bounds.
+   * With FitOptions::nonnegative springs are >= 0, and the others such that in
+   * no deformation the cell is softer than floor_of_eigenvalues(): a
+   * semidefinite constraint of its own, where the solution without it does not
+   * have that.
    *
    * @throws RunError when the engine breaks down without a result, or as
    * make_cell_terms().
