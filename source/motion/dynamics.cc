@@ -222,9 +222,25 @@ namespace springfit
   DynamicsSettings<dim>
   Dynamics<dim>::settings() const
   {
+    return settings(
+      value_of(integrator_words(), integrator_word_, full_name("Integrator")));
+  }
+
+  template <int dim>
+  RayleighDamping
+  Dynamics<dim>::damping() const
+  {
+    check_not_negative(mass_damping_, "Mass damping");
+    check_not_negative(stiffness_damping_, "Stiffness damping");
+    return {mass_damping_, stiffness_damping_};
+  }
+
+  template <int dim>
+  DynamicsSettings<dim>
+  Dynamics<dim>::settings(const Integrator integrator) const
+  {
     DynamicsSettings<dim> settings;
-    settings.integrator =
-      value_of(integrator_words(), integrator_word_, full_name("Integrator"));
+    settings.integrator = integrator;
     const bool is_explicit =
       settings.integrator == Integrator::symplectic_euler;
     if (!std::isfinite(begin_))
@@ -264,8 +280,7 @@ namespace springfit
                        "beta and gamma are not such that 2 beta >= gamma >= "
                        "1/2.",
                        "Give 0.25, 0.5, for instance.");
-    check_not_negative(mass_damping_, "Mass damping");
-    check_not_negative(stiffness_damping_, "Stiffness damping");
+    settings.damping = damping();
     check_not_negative(spring_damper_, "Spring damper");
     check_not_negative(table_interval_, "Table interval");
     check_not_negative(frame_interval_, "Frame interval");
@@ -281,7 +296,6 @@ namespace springfit
                         : generalised_alpha(spectral_radius_);
     if (settings.integrator != Integrator::implicit_euler)
       settings.newton.n_iterations = 20;
-    settings.damping             = {mass_damping_, stiffness_damping_};
     settings.spring_damper       = spring_damper_;
     settings.has_finite_elements = has_finite_elements_;
     settings.mass = value_of(mass_words(), mass_word_, full_name("Mass"));

@@ -35,10 +35,10 @@ namespace springfit
   {
     const Eigen::MatrixXd motion = random_motion(body, dim);
     MotionState state;
-    state.displacement   = 0. * motion;
-    state.velocity       = 1e-6 * size / step * motion;
+    state.displacement   = 1e-6 * size * motion;
+    state.velocity       = 0. * motion;
     state.acceleration   = 0. * motion;
-    const double at_rest = body.elastic->energy(state.displacement);
+    const double at_rest = body.elastic->energy(0. * motion);
 
     const std::uint64_t tenth = std::max<std::uint64_t>(1, n_steps / 10);
     double early = 0., first = 0., last = 0.;
@@ -50,15 +50,16 @@ namespace springfit
           early = std::max(early, speed);
         if (!(speed < without_bounds * early))
           return {true, 0.};
-        const double energy = kinetic_energy(body, state) +
-                              body.elastic->energy(state.displacement) -
-                              at_rest;
+        const double elastic = body.elastic->energy(state.displacement);
+        if (!std::isfinite(elastic))
+          return {true, 0.};
+        const double energy = kinetic_energy(body, state) + elastic - at_rest;
         if (i < tenth)
           first += energy / tenth;
         if (i >= n_steps - tenth)
           last += energy / tenth;
       }
-    return {false, (last - first) / first};
+    return {false, first > 0. ? (last - first) / first : 0.};
   }
 
 

@@ -73,6 +73,11 @@ namespace springfit
         SparseMatrix(with_ones + least * ones));
       const Eigen::SimplicialLDLT<SparseMatrix> down(
         SparseMatrix(with_ones - least * ones));
+      if (up.info() != Eigen::Success || down.info() != Eigen::Success)
+        {
+          spectrum.n_mechanisms = 1; // a pivot vanished
+          return spectrum;
+        }
       const auto n_negative =
         [](const Eigen::SimplicialLDLT<SparseMatrix> &factors) {
           const Eigen::ArrayXd pivots = factors.vectorD();
@@ -84,12 +89,15 @@ namespace springfit
       if (spectrum.n_negative > 0)
         spectrum.smallest = -most_negative;
       else if (spectrum.n_mechanisms == 0)
-        spectrum.smallest =
-          1. / largest([&](const Eigen::MatrixXd &u, Eigen::MatrixXd &product) {
-            const Eigen::VectorXd solution =
-              up.solve(Eigen::VectorXd(u.reshaped()));
-            product = solution.reshaped(u.rows(), u.cols());
-          });
+        {
+          const double of_inverse =
+            largest([&](const Eigen::MatrixXd &u, Eigen::MatrixXd &product) {
+              const Eigen::VectorXd solution =
+                up.solve(Eigen::VectorXd(u.reshaped()));
+              product = solution.reshaped(u.rows(), u.cols());
+            });
+          spectrum.smallest = of_inverse > 0. ? 1. / of_inverse : 0.;
+        }
       return spectrum;
     }
   } // namespace

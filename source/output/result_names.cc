@@ -34,7 +34,7 @@ namespace springfit
   is_result(const std::string &name, const std::vector<std::string> &models)
   {
     const std::regex results(
-      "checkpoint\\.bin|recommended\\.prm|(tradeoff|stability.*)\\.(csv|md|gp|svg|png)|stability\\.unfinished|(stable_steps|comparison|dynamics|adapt|models_of_cells|reactions|fit|nodes|cells|sweep|(" +
+      "checkpoint\\.bin|recommended\\.prm|tradeoff\\.(csv|md|gp|svg|png)|stability(_boundaries)?\\.(csv|md|gp)|stability_[A-Za-z_]+\\.svg|stability\\.unfinished|(stable_steps|comparison|dynamics|adapt|models_of_cells|reactions|fit|nodes|cells|sweep|(" +
       words_of_kinds() + ")_.*|.+_(" + alternatives(models) +
       ")(_.*)?)\\.csv|.*\\.vtu|.*\\.pvd");
     return std::regex_match(name, results);

@@ -51,6 +51,15 @@ namespace springfit
       return axis;
     }
 
+    /** Of the words of a boundary: "certified, stable". */
+    bool
+    is_stable(const std::string &words)
+    {
+      return words == "stable" ||
+             (words.size() > 8 &&
+              words.compare(words.size() - 8, 8, ", stable") == 0);
+    }
+
     /** The verdicts along one axis, the others as in the scene. */
     struct Map
     {
@@ -198,10 +207,14 @@ namespace springfit
         const auto model = name_of_model(row);
         if (std::find(models.begin(), models.end(), model) == models.end())
           models.push_back(model);
-        if (row.verdict != "stable")
-          for (const auto &[axis, value] : row.axes)
-            if (value)
-              bad[model].insert(axis);
+        if (row.verdict == "stable")
+          continue;
+        auto &axes = bad[model];
+        for (const auto &[axis, value] : row.axes)
+          if (value)
+            axes.insert(axis);
+        if (axes.empty())
+          axes.insert("the scene as it is");
       }
     std::vector<std::string> safe;
     for (const auto &model : models)
@@ -222,10 +235,9 @@ namespace springfit
             for (const auto &boundary : boundaries)
               if (boundary.axis == axis && name_of_model(boundary) == model)
                 {
-                  const bool is_above = boundary.verdict_below.find("stable") !=
-                                          std::string::npos &&
-                                        boundary.verdict_below.find(
-                                          "unstable") == std::string::npos;
+                  const bool is_above = is_stable(boundary.verdict_below);
+                  if (is_above == is_stable(boundary.verdict_above))
+                    continue;
                   where += (where.empty() ? "" : " and ") +
                            std::string(is_above ? "from " : "below ") +
                            number(is_above ? boundary.below : boundary.above);
@@ -251,8 +263,10 @@ namespace springfit
     write_file(folder / "stability.md", [&](std::ostream &page) {
       page
         << "# What is stable here\n\n"
-        << safe_models(rows, boundaries)
-        << "\n\nOne thing at a time is not as in the scene. Stable: no motion "
+        << safe_models(rows, boundaries) << "\n\n"
+        << (maps.empty() ? "All axes vary together: see stability.csv."
+                         : "One thing at a time is not as in the scene.")
+        << " Stable: no motion "
            "about rest (about the stretched state, after the push, of all "
            "steps) releases energy or costs none. Certified: so, and the fit "
            "of every cell has a certificate. Refused: there is no model, or "

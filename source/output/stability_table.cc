@@ -141,9 +141,5 @@ namespace springfit
     table.write(folder / "stability_boundaries.csv");
   }
 
-  std::string
-  whole_verdict(const StabilityRow &row)
-  {
-    return row.reason.empty() ? row.verdict : row.verdict + ": " + row.reason;
-  }
+
 } // namespace springfit

@@ -80,7 +80,7 @@ namespace springfit
     const double rounding = 1e-14 * stiffness_.linfty_norm() *
                             displacement.l2_norm() /
                             (right_hand_side.l2_norm() + 1e-300);
-    if (!(relative < std::max(1e-6, rounding)))
+    if (!(relative < std::max(1e-6, std::min(rounding, 1e-3))))
       {
         std::ostringstream reason;
         reason << "the forces left over are " << relative << " of the load.";

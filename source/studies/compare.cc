@@ -151,8 +151,10 @@ namespace springfit
           const auto &result = results[r];
           if (!is_complete(result.reference))
             continue;
-          const bool is_judged = r < judges.size() && is_complete(judges[r]);
-          const auto &judge    = is_judged ? judges[r] : result.reference;
+          const bool is_judged = r < judges.size();
+          if (is_judged && !is_complete(judges[r]))
+            continue;
+          const auto &judge = is_judged ? judges[r] : result.reference;
           if (is_judged)
             {
               rows.push_back(row(result, judge, judge, of_reference));
@@ -241,6 +243,7 @@ namespace springfit
     /** @throws IncompleteError when a model did not reach the whole load. */
     void
     check_completeness(const std::vector<CaseResult> &results,
+                       const std::vector<Equilibrium> &judges,
                        const std::filesystem::path &folder)
     {
       std::vector<std::string> failures;
@@ -256,6 +259,8 @@ namespace springfit
           for (const auto &response : result.networks)
             collect(result, response.equilibrium);
         }
+      for (std::size_t r = 0; r < judges.size(); ++r)
+        collect(results[r], judges[r]);
       if (!failures.empty())
         throw IncompleteError(failures.front() +
                               (failures.size() > 1
@@ -316,7 +321,7 @@ namespace springfit
         write_responses(session.draft(), calibrated, loading, results);
       });
     }
-    check_completeness(results, session.output_directory());
+    check_completeness(results, judges, session.output_directory());
     const std::string first =
       calibrated.networks.front().name +
       suffix_of(results.front().networks.front().kinematics);

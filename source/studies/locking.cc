@@ -39,11 +39,10 @@ namespace springfit
   {
     const auto &mesh = *calibrated.mesh;
     const std::string advice =
-      std::string(" The distances below are from elements that lock. ") +
+      std::string(" The distances below are ") +
       (scene.reference.degree() == 2
-         ? "They are measured from quadratic ones, as 'Reference' in section "
-           "Response asks for."
-         : "Set 'Reference = quadratic elements' in section Response to measure "
+         ? "from quadratic ones, as 'Reference' in section Response asks for."
+         : "from them. Set 'Reference = quadratic elements' in section Response to measure "
            "them from better ones.");
     if (is_simplex(mesh.cell_kind))
       {

@@ -1,3 +1,4 @@
+#include <springfit/core/error.h>
 #include <springfit/reference/quadratic_nodes.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/fine_reference.h>
@@ -32,13 +33,25 @@ namespace springfit
                                                      elements.element,
                                                      elements.materials);
     const unsigned int n_vertices = mesh.triangulation.n_vertices();
+    // What fails leaves the results of the other models.
+    const auto respond = [&](const NodalLoad &load) {
+      try
+        {
+          return model->respond(load);
+        }
+      catch (const RunError &error)
+        {
+          const Eigen::MatrixXd nothing = 0. * load.forces;
+          return Equilibrium{nothing, 0., nothing, 0., error.what()};
+        }
+    };
     std::vector<Equilibrium> responses;
     for (std::size_t i = 0; i < results.size(); ++i)
       {
         const double unit = loading.cases[i].load.forces.norm();
         const double scale =
           unit > 0. ? results[i].load_case.load.forces.norm() / unit : 1.;
-        auto found = model->respond(scaled(of_elements.cases[i].load, scale));
+        auto found = respond(scaled(of_elements.cases[i].load, scale));
         if (!is_complete(found))
           session.warn("Load case " + results[i].load_case.name +
                        ", elements of degree 2: " + found.failure);

@@ -1,6 +1,8 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/core/formatted.h>
 #include <springfit/core/progress.h>
+#include <springfit/core/version.h>
 #include <springfit/output/gnuplot.h>
 #include <springfit/output/growing_table.h>
 #include <springfit/output/stability_page.h>
@@ -40,11 +42,13 @@ namespace springfit
      */
     std::map<std::string, StabilityRow>
     rows_of_stopped_run(const Session &session,
+                        const std::string &mark,
                         const std::vector<std::string> &axes)
     {
       const auto &folder = session.output_directory();
       std::map<std::string, StabilityRow> rows;
       if (!std::filesystem::exists(folder / mark_name) ||
+          contents_of(folder / mark_name) != mark ||
           contents_of(folder / "used.prm") !=
             contents_of(session.draft() / "used.prm"))
         return rows;
@@ -58,6 +62,26 @@ namespace springfit
         if (const auto row = parse_row(line, axes))
           rows.emplace(key_of(*row), *row);
       return rows;
+    }
+
+    /** What a run goes on from: the program, the scene and its mesh. */
+    template <int dim, int spacedim>
+    std::string
+    mark_of(const Scene<spacedim> &scene, const Session &session)
+    {
+      const auto mesh =
+        scene.geometry.template create<dim>(session.communicator(),
+                                            scene.folder);
+      double sum = 0.;
+      for (const auto &vertex : mesh->triangulation.get_vertices())
+        for (int d = 0; d < spacedim; ++d)
+          sum = 0.7 * sum + vertex[d];
+      return formatted(
+        "This run is not finished: started again, it goes on with "
+        "the rows of stability.csv.\n%s, %u cells, %.17g\n",
+        version().c_str(),
+        mesh->triangulation.n_active_cells(),
+        sum);
     }
 
     /** What a boundary is one between: verdicts and calibrations. */
@@ -179,7 +203,8 @@ namespace springfit
     std::vector<std::string> axes;
     for (const auto &axis : settings.axes)
       axes.push_back(word_of(stability_axis_words(), axis.axis));
-    const auto known = rows_of_stopped_run(session, axes);
+    const auto mark  = mark_of<dim>(scene, session);
+    const auto known = rows_of_stopped_run(session, mark, axes);
     if (!known.empty())
       session.print("Going on where a run of the same scene was stopped: " +
                     std::to_string(known.size()) + " rows are known.");
@@ -190,8 +215,7 @@ namespace springfit
     for (const auto &point : points)
       n_rows += judge.models(point).size();
     session.print("Verdicts to be found: " + std::to_string(n_rows) + '.');
-    std::ofstream(session.draft() / mark_name)
-      << "The same scene goes on with the rows of stability.csv.\n";
+    std::ofstream(session.draft() / mark_name) << mark;
     std::ofstream(session.draft() / table_name).close();
     session.publish();
 
@@ -223,9 +247,10 @@ namespace springfit
     if (settings.width > 0. && !settings.is_grid)
       {
         dealii::TimerOutput::Scope scope(session.timer(), "Boundaries");
-        Progress progress("Boundaries",
-                          settings.axes.size(),
-                          session.is_root());
+        std::size_t n = 0;
+        for (const auto &axis : settings.axes)
+          n += judge.models({{axis.axis, 1.}}).size();
+        Progress progress("Boundaries", n, session.is_root());
         const auto judgement = [&](const Variation &variation,
                                    const JudgedModel &model) {
           return judge.judge(variation, model);

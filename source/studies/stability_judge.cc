@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -33,14 +34,6 @@ namespace springfit
       std::string failure;
     };
 
-    std::optional<double>
-    value_of(const Variation &variation, const StabilityAxis axis)
-    {
-      const auto found = variation.find(axis);
-      return found == variation.end() ? std::nullopt
-                                      : std::optional<double>(found->second);
-    }
-
     /** The body without the axes that are states or motions of it. */
     Variation
     body_of(Variation variation)
@@ -50,6 +43,17 @@ namespace springfit
                               StabilityAxis::time_step})
         variation.erase(axis);
       return variation;
+    }
+
+    template <int dim, int spacedim>
+    double
+    shortest_edge(const Mesh<dim, spacedim> &mesh)
+    {
+      double shortest = std::numeric_limits<double>::infinity();
+      for (const auto &cell : mesh.triangulation.active_cell_iterators())
+        for (const unsigned int line : cell->line_indices())
+          shortest = std::min(shortest, cell->line(line)->diameter());
+      return shortest;
     }
 
     double
@@ -64,6 +68,25 @@ namespace springfit
     {
       row.verdict = "refused";
       row.reason  = why;
+    }
+
+    /** Tables have numbers only. */
+    void
+    drop_what_is_not_finite(StabilityRow &row)
+    {
+      for (auto *number : {&row.cell_eigenvalue,
+                           &row.network_eigenvalue,
+                           &row.condition,
+                           &row.gap,
+                           &row.predicted_step,
+                           &row.observed_step,
+                           &row.energy_drift,
+                           &row.e_rms,
+                           &row.youngs_modulus,
+                           &row.poissons_ratio,
+                           &row.iterations})
+        if (*number && !std::isfinite(**number))
+          number->reset();
     }
 
     void
@@ -128,7 +151,12 @@ namespace springfit
     const Scene<spacedim> &scene,
     const StabilitySettings &settings,
     Session &session)
-    : scene_(scene), settings_(settings), session_(session)
+    : scene_(scene)
+    , settings_(settings)
+    , session_(session)
+    , kind_(scene.geometry
+              .template create<dim>(session.communicator(), scene.folder)
+              ->cell_kind)
   {}
 
   template <int dim, int spacedim>
@@ -148,8 +176,7 @@ namespace springfit
       integrators.assign(settings_.integrators.begin(),
                          settings_.integrators.end());
     std::vector<JudgedModel> models;
-    const auto kind = scene_.geometry.meshing().cells;
-    const auto add  = [&](const std::optional<std::size_t> &fit,
+    const auto add = [&](const std::optional<std::size_t> &fit,
                          const Kinematics kinematics) {
       if (is_nonlinear && kinematics == Kinematics::linear)
         return;
@@ -160,7 +187,7 @@ namespace springfit
         scene_.statics.material_law() == MaterialLaw::linear
           ? Kinematics::linear
           : Kinematics::nonlinear);
-    for (std::size_t f = 0; f < scene_.fit.rows(kind).size(); ++f)
+    for (std::size_t f = 0; f < scene_.fit.rows(kind_).size(); ++f)
       for (const auto kinematics : scene_.statics.kinematics())
         add(f, kinematics);
     return models;
@@ -179,8 +206,7 @@ namespace springfit
     row.enrichment = "none";
     if (model.fit)
       {
-        const auto fit =
-          scene_.fit.rows(scene_.geometry.meshing().cells)[*model.fit];
+        const auto fit = scene_.fit.rows(kind_)[*model.fit];
         row.fit        = name_of(*fit.method);
         row.enrichment = name_of(fit.enrichment);
       }
@@ -264,15 +290,14 @@ namespace springfit
             if (!attempt.network && attempt.failure.empty())
               try
                 {
-                  attempt.network = calibrate_row(
-                    scene_.fit,
-                    scene_.fit.rows(
-                      setting_->varied.mesh->cell_kind)[*model.fit],
-                    *setting_->varied.mesh,
-                    setting_->varied.element,
-                    setting_->varied.materials,
-                    scene_.statics.material_law(),
-                    session_);
+                  attempt.network =
+                    calibrate_row(scene_.fit,
+                                  scene_.fit.rows(kind_)[*model.fit],
+                                  *setting_->varied.mesh,
+                                  setting_->varied.element,
+                                  setting_->varied.materials,
+                                  scene_.statics.material_law(),
+                                  session_);
                 }
               catch (const RunError &error)
                 {
@@ -307,6 +332,7 @@ namespace springfit
         setting_.reset();
         refuse(error.what(), row);
       }
+    drop_what_is_not_finite(row);
     return row;
   }
 
@@ -373,8 +399,7 @@ namespace springfit
     const auto body             = body_of_members(varied, network, law);
     tell_spectrum(stiffness_spectrum(*body, 0. * nodes, loading.held), row);
 
-    auto settings       = scene_.dynamics.settings();
-    settings.integrator = Integrator::symplectic_euler;
+    auto settings = scene_.dynamics.settings(Integrator::symplectic_euler);
     settings.openings.clear();
     Excitation excitation{nodes, loading.held, {}, {}, {}};
     excitation.load = [zero = NodalLoad{0. * nodes, 0. * nodes}](double) {
@@ -389,7 +414,7 @@ namespace springfit
         if (std::isfinite(critical))
           {
             constexpr double width = 0.002;
-            const double size      = extent_of(nodes);
+            const double size      = shortest_edge(*varied.mesh);
             row.predicted_step     = critical;
             row.observed_step      = observed_step(moving->body,
                                               *moving->system,
@@ -411,7 +436,7 @@ namespace springfit
 
     if (!setting_->failure_of_reference.empty())
       {
-        if (network == nullptr)
+        if (network == nullptr && row.verdict == "stable")
           refuse(setting_->failure_of_reference, row);
         return;
       }
@@ -515,6 +540,7 @@ namespace springfit
     moving.elastic = body.get();
     moving.mass = nodal_masses(*varied.mesh, varied.element, varied.materials);
     moving.held = held;
+    moving.damping        = scene_.dynamics.damping();
     const double critical = critical_step(moving, found.displacement).step;
     if (std::isfinite(critical))
       row.predicted_step = critical;
@@ -553,8 +579,7 @@ namespace springfit
           if (cell->line(line)->vertex_index(end) == pushed)
             edge = std::max(edge, cell->line(line)->diameter());
 
-    auto settings                = scene_.dynamics.settings();
-    settings.integrator          = Integrator::implicit_euler;
+    auto settings = scene_.dynamics.settings(Integrator::implicit_euler);
     settings.newton.n_iterations = 1;
     settings.openings.clear();
     Excitation excitation{nodes, loading.held, {}, {}, {}};
@@ -579,7 +604,16 @@ namespace springfit
     const std::uint64_t most = std::min<std::uint64_t>(settings_.n_steps, 500);
     for (std::uint64_t i = 0; i < most; ++i)
       {
-        advance(settings, step, (i + 1) * step, excitation, *moving);
+        try
+          {
+            advance(settings, step, (i + 1) * step, excitation, *moving);
+          }
+        catch (const RunError &error)
+          {
+            row.verdict = "diverged";
+            row.reason  = error.what();
+            return;
+          }
         const double distance =
           moving->state.displacement.cwiseAbs().maxCoeff();
         constexpr double far = 1e3;
@@ -614,10 +648,15 @@ namespace springfit
     const CalibratedNetwork *network =
       model.fit ? &*setting_->fits.at(*model.fit).network : nullptr;
     const Eigen::MatrixXd nodes = nodes_of(varied.mesh->nodes);
-    auto settings               = scene_.dynamics.settings();
-    settings.integrator         = *model.integrator;
+    auto settings               = scene_.dynamics.settings(*model.integrator);
     settings.openings.clear();
     const auto &load_case = loading.cases.front();
+    if (load_case.canned && setting_->linear.empty())
+      {
+        refuse("its load cannot be scaled: " + setting_->failure_of_reference,
+               row);
+        return;
+      }
     Excitation excitation{nodes, loading.held, {}, {}, {}};
     excitation.load = [load = load_case.load](double) { return load; };
     auto moving     = moving_model(

@@ -66,6 +66,15 @@ namespace springfit
   }
 
 
+  std::optional<double>
+  value_of(const Variation &variation, const StabilityAxis axis)
+  {
+    const auto found = variation.find(axis);
+    return found == variation.end() ? std::nullopt
+                                    : std::optional<double>(found->second);
+  }
+
+
   std::vector<Variation>
   variations(const StabilitySettings &settings)
   {

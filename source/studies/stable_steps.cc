@@ -18,9 +18,10 @@ namespace springfit
 {
   namespace
   {
-    // An assembled stiffness of more cells takes too much memory for a number
-    // that nobody has asked for.
+    // An assembled stiffness of more cells, or Lanczos' vectors of more nodes,
+    // take too much memory for a number that nobody has asked for.
     constexpr unsigned int most_cells = 200000;
+    constexpr Eigen::Index most_nodes = 200000;
 
     struct Row
     {
@@ -58,6 +59,8 @@ namespace springfit
       std::string place;
       for (Eigen::Index d = 0; d < row.place.size(); ++d)
         place += (d > 0 ? ", " : "") + formatted("%.4g", row.place[d]);
+      if (!row.step)
+        place = "-";
       return formatted("  %-32s %11s %11s  node %d at (%s) m",
                        row.model.c_str(),
                        row.step ? formatted("%.4g", *row.step).c_str() : "-",
@@ -74,15 +77,24 @@ namespace springfit
                     Session &session)
   {
     dealii::TimerOutput::Scope scope(session.timer(), "Stable steps");
-    const auto damping = scene.dynamics.settings().damping;
+    const auto damping = scene.dynamics.damping();
     const auto &mesh   = *calibrated.mesh;
     std::vector<Row> rows;
     for (const auto &network : calibrated.networks)
       {
-        rows.push_back(row_of(network.name,
-                              NetworkBody(network.network),
-                              network.network,
-                              damping));
+        if (network.network.nodes.cols() > most_nodes)
+          {
+            rows.push_back({network.name, {}, {}, 0, {}});
+            session.skip("Stable step of '" + network.name + "'",
+                         "it is not sought for more than " +
+                           std::to_string(most_nodes) +
+                           " nodes; the bound is there");
+          }
+        else
+          rows.push_back(row_of(network.name,
+                                NetworkBody(network.network),
+                                network.network,
+                                damping));
         const double bound =
           spring_bound_of_step(network.network,
                                std::vector<bool>(network.network.nodes.cols(),
@@ -90,7 +102,8 @@ namespace springfit
         if (std::isfinite(bound))
           rows.back().bound = bound;
       }
-    if (mesh.triangulation.n_active_cells() <= most_cells)
+    if (mesh.triangulation.n_active_cells() <= most_cells &&
+        mesh.triangulation.n_vertices() <= most_nodes)
       {
         const auto &network = calibrated.networks.front().network;
         const FiniteElementBody<dim, spacedim> elements(mesh,
@@ -120,10 +133,14 @@ namespace springfit
       for (const auto &row : rows)
         {
           table.new_row();
-          table << row.model << row.step << row.bound
-                << static_cast<unsigned int>(row.node);
-          for (const double x : row.place)
-            table << x;
+          table << row.model << row.step << row.bound;
+          if (row.step)
+            table << static_cast<unsigned int>(row.node);
+          else
+            table << "";
+          for (int d = 0; d < spacedim; ++d)
+            table << (row.step ? std::optional<double>(row.place[d])
+                               : std::nullopt);
         }
       table.write(session.draft() / "stable_steps.csv");
     });

@@ -131,14 +131,21 @@ namespace springfit
             throw EntryError("Fit/Scope",
                              "a study of stability fits cells.",
                              "Set it to cell.");
+          if (scene.fit.has_states() &&
+              scene.geometry.dimension_of_cells() < dim)
+            throw EntryError("Fit/States",
+                             "a surface in space is fitted at rest, where its "
+                             "cells have directions of their own.",
+                             "Leave it empty.");
           scene.loads.check();
           scene.statics.check();
           scene.fit.check_states(scene.statics.material_law());
           check_motion(scene);
           check_step(scene);
-          scene.stability.check(scene.material,
-                                (scene.fit.rows().size() + 1) *
-                                  scene.statics.kinematics().size());
+          scene.stability.check(
+            scene.material,
+            (scene.fit.rows().size() + 1) * scene.statics.kinematics().size() *
+              scene.stability.settings().integrators.size());
           break;
       }
   }

@@ -12,15 +12,6 @@ namespace springfit
 {
   namespace
   {
-    /** Nothing where the axis is not varied. */
-    std::optional<double>
-    value_of(const Variation &variation, const StabilityAxis axis)
-    {
-      const auto found = variation.find(axis);
-      return found == variation.end() ? std::nullopt
-                                      : std::optional<double>(found->second);
-    }
-
     template <int dim, int spacedim>
     void
     move_vertices(const Variation &variation, Mesh<dim, spacedim> &mesh)
@@ -30,13 +21,7 @@ namespace springfit
       const auto angle  = value_of(variation, StabilityAxis::angle);
       if (!size && !aspect && !angle)
         return;
-      const dealii::BoundingBox<spacedim> box(
-        mesh.triangulation.get_vertices());
-      double extent = 0.;
-      for (int d = 0; d < spacedim; ++d)
-        extent = std::max(extent, box.side_length(d));
-      const double scale = size ? *size / extent : 1.;
-      const double lean  = angle.value_or(90.) * M_PI / 180.;
+      const double lean = angle.value_or(90.) * M_PI / 180.;
       dealii::GridTools::transform(
         [&](const dealii::Point<spacedim> &place) {
           dealii::Point<spacedim> moved = place;
@@ -44,9 +29,23 @@ namespace springfit
           moved[last] /= aspect.value_or(1.);
           moved[0] += std::cos(lean) * moved[last];
           moved[last] *= std::sin(lean);
-          return dealii::Point<spacedim>(scale * moved);
+          return moved;
         },
         mesh.triangulation);
+      if (size)
+        {
+          const dealii::BoundingBox<spacedim> box(
+            mesh.triangulation.get_vertices());
+          double extent = 0.;
+          for (int d = 0; d < spacedim; ++d)
+            extent = std::max(extent, box.side_length(d));
+          dealii::GridTools::scale(*size / extent, mesh.triangulation);
+          if (mesh.straight_part)
+            {
+              mesh.straight_part->lowest *= *size / extent;
+              mesh.straight_part->highest *= *size / extent;
+            }
+        }
       mesh.nodes = vertices_as_nodes(mesh.triangulation);
     }
 

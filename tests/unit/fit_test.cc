@@ -269,6 +269,44 @@ namespace
   }
 
 
+  TEST(Fit, IsTheSameInEveryUnit)
+  {
+    // Micrometres and kilometres, gels and steel; what is left is rounding.
+    for (const CellKind kind : all_kinds)
+      for (const auto &[method, word] : method_words())
+        for (const auto &[enrichment, name] : enrichment_words())
+          for (const bool nonnegative : {false, true})
+            {
+              if (!suits(*method, kind) || !suits(*method, enrichment))
+                continue;
+              Random random(7);
+              const Eigen::MatrixXd points = random_cell(kind, random);
+              const double nu              = random(0., 0.45);
+              FitOptions options     = options_of(Engine::ipopt, nonnegative);
+              options.enrichment     = enrichment;
+              const auto residual_of = [&](const double size,
+                                           const double modulus) {
+                const Eigen::MatrixXd x = size * points;
+                return fit(make_fit_problem(
+                             x,
+                             kind,
+                             stiffness(x,
+                                       kind,
+                                       modulus * usual_elasticity(kind, nu)),
+                             {modulus, nu, 1.}),
+                           *method,
+                           options)
+                  .spectral_residual;
+              };
+              const double usual = residual_of(1., 1.);
+              for (const auto &[size, modulus] :
+                   {std::pair{1e-6, 1e-3}, std::pair{1e3, 1e12}})
+                EXPECT_NEAR(residual_of(size, modulus), usual, 2e-10)
+                  << word << ' ' << name;
+            }
+  }
+
+
   TEST(Fit, Words)
   {
     EXPECT_EQ(words_of(method_words()),

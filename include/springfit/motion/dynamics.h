@@ -80,6 +80,14 @@ namespace springfit
     DynamicsSettings<dim>
     settings() const;
 
+    /** The same of another method. */
+    DynamicsSettings<dim>
+    settings(Integrator integrator) const;
+
+    /** Rayleigh's, whatever else the section says. @throws EntryError */
+    RayleighDamping
+    damping() const;
+
   private:
     std::string integrator_word_ = "implicit euler";
     double begin_ = 0., end_ = 1., step_ = 0.01;

@@ -24,11 +24,13 @@ namespace springfit
   };
 
   /**
-   * Let a body at rest (of the displacement 0) go from a small random velocity,
-   * the same in every run, for so many steps of @p step, s. It grows when its
-   * velocity does a thousandfold from the first steps to later ones.
+   * Let a body at rest (of the displacement 0) go from small random
+   * displacements, the same in every run, for so many steps of @p step, s. It
+   * grows when its velocity does a thousandfold from the first steps to later
+   * ones, or where it has no energy.
    *
-   * @param size of the body, m: the disturbance moves it by some 1e-6 of that
+   * @param size of its smallest springs or cells, m: the disturbance is up to
+   * 1e-6 of that
    */
   ObservedMotion
   observe(const MovingBody &body,

@@ -70,9 +70,6 @@ namespace springfit
   write_boundaries(const std::filesystem::path &folder,
                    const std::vector<StabilityBoundary> &boundaries);
 
-  /** "stable", or "refused" and the like with what is wrong. */
-  std::string
-  whole_verdict(const StabilityRow &row);
 } // namespace springfit
 
 #endif

@@ -78,6 +78,7 @@ namespace springfit
     const Scene<spacedim> &scene_;
     const StabilitySettings &settings_;
     Session &session_;
+    const CellKind kind_;
     std::unique_ptr<Setting> setting_;
   };
 } // namespace springfit

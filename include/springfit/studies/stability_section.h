@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ namespace springfit
 
   /** A point of the axes; what is not there is as in the scene. */
   using Variation = std::map<StabilityAxis, double>;
+
+  /** That of an axis, if it has one there. */
+  std::optional<double>
+  value_of(const Variation &variation, StabilityAxis axis);
 
   struct AxisValues
   {

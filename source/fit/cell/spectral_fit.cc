@@ -78,7 +78,7 @@ namespace springfit
                   options.engine == Engine::ipopt ? Engine::barrier
                                                   : Engine::ipopt,
                   options.tolerance);
-          if (!first || second.gap < first->gap)
+          if (!first || !(second.gap >= first->gap))
             {
               FittedCell cell      = cell_of(second);
               cell.by_other_engine = true;
