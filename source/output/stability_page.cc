@@ -4,6 +4,7 @@
 #include <springfit/output/stability_page.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <ostream>
 #include <set>
@@ -48,6 +49,11 @@ namespace springfit
             break;
           }
       std::replace(axis.begin(), axis.end(), '_', ' ');
+      for (const std::string name : {"poisson", "young"})
+        if (axis.compare(0, name.size() + 1, name + 's') == 0)
+          axis = std::string(1, std::toupper(axis[0])) +
+                 axis.substr(1, name.size() - 1) + "'s" +
+                 axis.substr(name.size() + 1);
       return axis;
     }
 
@@ -186,8 +192,8 @@ namespace springfit
         plot << (m > 0 ? ", " : "") << '"' << map.models[m] << "\" " << m;
       plot << ") noenhanced\nset xrange [-0.5:" << map.values.size() - 0.5
            << "]\nset yrange [" << map.models.size() - 0.5
-           << ":-0.5]\nset xlabel '" << spoken(axis)
-           << "'\nset title 'green: stable, red: unstable or diverged, grey: "
+           << ":-0.5]\nset xlabel \"" << spoken(axis)
+           << "\"\nset title 'green: stable, red: unstable or diverged, grey: "
               "refused'\nunset key\nset terminal svg size 900, "
            << 140 + 28 * map.models.size()
            << " background 'white'\nset output 'stability_" << axis

@@ -4,12 +4,15 @@
 #include <springfit/core/session.h>
 #include <springfit/output/stability_table.h>
 #include <springfit/response/statics.h>
+#include <springfit/studies/judged_body.h>
 #include <springfit/studies/scene.h>
 #include <springfit/studies/stability_section.h>
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace springfit
@@ -40,8 +43,6 @@ namespace springfit
                    const StabilitySettings &settings,
                    Session &session);
 
-    ~StabilityJudge();
-
     /** What there is to judge at a point: motions where it has a time step. */
     std::vector<JudgedModel>
     models(const Variation &variation) const;
@@ -55,21 +56,12 @@ namespace springfit
     judge(const Variation &variation, const JudgedModel &model);
 
   private:
-    struct Setting;
-
-    void
-    judge_at_rest(const JudgedModel &model, StabilityRow &row);
-
-    void
-    judge_stretched(double stretch,
-                    const JudgedModel &model,
-                    StabilityRow &row);
-
-    void
-    judge_inverted(double edges, const JudgedModel &model, StabilityRow &row);
-
-    void
-    judge_motion(double step, const JudgedModel &model, StabilityRow &row);
+    /** A fit at a point: a network, or why there is none. */
+    struct Attempt
+    {
+      std::optional<CalibratedNetwork> network;
+      std::string failure;
+    };
 
     /** Make the setting that of a point. */
     void
@@ -79,7 +71,8 @@ namespace springfit
     const StabilitySettings &settings_;
     Session &session_;
     const CellKind kind_;
-    std::unique_ptr<Setting> setting_;
+    std::unique_ptr<const StabilitySetting<dim, spacedim>> setting_;
+    std::map<std::size_t, Attempt> fits_; // of the setting
   };
 } // namespace springfit
 
