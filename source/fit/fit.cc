@@ -5,6 +5,7 @@
 #include <springfit/fit/fit.h>
 #include <springfit/springs/negative.h>
 
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,6 +19,20 @@ namespace springfit
       if (problem.states.empty())
         return {};
       return residual_over_states(problem, model);
+    }
+
+    /**
+     * What rounding may do to an eigenvalue of a sum of tangents c g g^T,
+     * relative to ||R||_2.
+     */
+    double
+    rounding_of_eigenvalues(const FitProblem &problem, const CellModel &model)
+    {
+      const auto magnitudes =
+        with_constants(model.families, constants_of(model.families).cwiseAbs());
+      return std::numeric_limits<double>::epsilon() *
+             Eigen::MatrixXd(tangent(magnitudes, problem.points)).trace() /
+             spectral_norm(problem.stiffness);
     }
 
     std::string
@@ -85,6 +100,15 @@ namespace springfit
       throw RunError(too_stiff(result.spectral_residual),
                      "Improve the mesh there, or take the fit 'frobenius' with "
                      "'Enrichment = coupling', which is exact in any cell.");
+
+    // Angles of very flat cells cancel each other but for what they should be.
+    if (options.enrichment == Enrichment::angles && options.nonnegative &&
+        !has(method, Feature::formulas) &&
+        *result.smallest_eigenvalue < rounding_of_eigenvalues(problem, result))
+      throw RunError("rounding hides whether its angles leave it stiff in all "
+                     "deformations: their tangents are much larger than their "
+                     "sum.",
+                     "Improve the mesh there, or fit without angles.");
 
     // All its couplings make a cell its finite element, but for rounding.
     const bool is_exact =

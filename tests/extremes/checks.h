@@ -369,10 +369,8 @@ namespace springfit::oracle
                                                          Eigen::EigenvaluesOnly)
             .eigenvalues()[0] /
           size;
-        // A mechanism is one where the cell itself is not as soft. Angles of
-        // cells as flat as 1 : 5000 have tangents that rounding changes by some
-        // 1e-10 of the largest eigenvalue.
-        if (smallest < 0.02 * of_cell - 1e-9)
+        // A mechanism is one where the cell itself is not as soft.
+        if (smallest < 0.02 * of_cell - 1e-10)
           return complain("it is a mechanism, the cell's smallest eigenvalue",
                           of_cell,
                           smallest);

@@ -57,7 +57,7 @@ namespace springfit
    * down without a result, when a volume is zero or an angle straight or
    * folded, when the constants are not finite or a hundred times too stiff, or
    * when a fit with FitOptions::nonnegative without formulas of its own is not
-   * positive semidefinite all the same.
+   * positive semidefinite all the same, or rounding hides whether it is.
    */
   FitResult
   fit(const FitProblem &problem,
