@@ -12,7 +12,10 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -72,13 +75,19 @@ namespace springfit
       const auto mesh =
         scene.geometry.template create<dim>(session.communicator(),
                                             scene.folder);
-      double sum = 0.;
+      std::size_t sum = 0; // of all that a mesh file may have changed
       for (const auto &vertex : mesh->triangulation.get_vertices())
         for (int d = 0; d < spacedim; ++d)
-          sum = 0.7 * sum + vertex[d];
+          boost::hash_combine(sum, vertex[d]);
+      for (const auto &cell : mesh->triangulation.active_cell_iterators())
+        {
+          boost::hash_combine(sum, cell->material_id());
+          for (const unsigned int v : cell->vertex_indices())
+            boost::hash_combine(sum, cell->vertex_index(v));
+        }
       return formatted(
         "This run is not finished: started again, it goes on with "
-        "the rows of stability.csv.\n%s, %u cells, %.17g\n",
+        "the rows of stability.csv.\n%s, %u cells, %zx\n",
         version().c_str(),
         mesh->triangulation.n_active_cells(),
         sum);
