@@ -34,9 +34,10 @@ namespace springfit
   is_result(const std::string &name, const std::vector<std::string> &models)
   {
     const std::regex results(
-      "checkpoint\\.bin|recommended\\.prm|tradeoff\\.(csv|md|gp|svg|png)|stability(_boundaries)?\\.(csv|md|gp)|stability_[A-Za-z_]+\\.svg|stability\\.unfinished|(stable_steps|comparison|dynamics|adapt|models_of_cells|reactions|fit|nodes|cells|sweep|(" +
+      "checkpoint\\.bin|recommended\\.prm|tradeoff\\.(csv|md|gp|svg|png)|stability(_boundaries)?\\.(csv|md|gp)|stability_[A-Za-z_]+\\.svg|stability\\.unfinished|(stable_steps|comparison|dynamics|adapt|models_of_cells|reactions|fit|families|sets|nodes|cells|sweep|(" +
       words_of_kinds() + ")_.*|.+_(" + alternatives(models) +
-      ")(_.*)?)\\.csv|.*\\.vtu|.*\\.pvd");
+      ")(_.*)?)\\.csv|(.+_)?(adapted|" + alternatives(models) +
+      ")(_.*)?\\.(scn|lmp|data|inp|feb|msd|xml|npz)|.*\\.vtu|.*\\.pvd");
     return std::regex_match(name, results);
   }
 } // namespace springfit

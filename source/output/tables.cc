@@ -2,6 +2,8 @@
 #include <springfit/output/tables.h>
 
 #include <cstddef>
+#include <set>
+#include <stdexcept>
 #include <string>
 
 namespace springfit
@@ -90,18 +92,51 @@ namespace springfit
     table.write(folder / "fit.csv");
   }
 
-  void
-  write_nodes(const std::filesystem::path &folder, const SpringNetwork &network)
+  namespace
   {
-    CsvTable table("x,y,z,mass");
+    std::string
+    between_blanks(const std::set<unsigned int> &ids)
+    {
+      std::string text;
+      for (const unsigned int id : ids)
+        text += (text.empty() ? "" : " ") + std::to_string(id);
+      return text;
+    }
+  } // namespace
+
+  void
+  write_nodes(const std::filesystem::path &folder,
+              const SpringNetwork &network,
+              const std::vector<bool> &held,
+              const NodeSets &sets)
+  {
+    CsvTable table("x,y,z,mass,held_x,held_y,held_z,part,materials,boundaries");
+    const Eigen::Index dim = network.nodes.rows();
     for (Eigen::Index node = 0; node < network.nodes.cols(); ++node)
       {
         table.new_row();
         for (Eigen::Index d = 0; d < 3; ++d)
-          table.exactly(d < network.nodes.rows() ? network.nodes(d, node) : 0.);
+          table.exactly(d < dim ? network.nodes(d, node) : 0.);
         table.exactly(network.mass[node]);
+        for (Eigen::Index d = 0; d < 3; ++d)
+          table << (d < dim && held[dim * node + d] ? 1u : 0u);
+        table << sets.parts[node] << between_blanks(sets.materials[node])
+              << between_blanks(sets.boundaries[node]);
       }
     table.write(folder / "nodes.csv");
+  }
+
+  void
+  write_sets(const std::filesystem::path &folder,
+             const std::vector<SetRow> &rows)
+  {
+    CsvTable table("kind,id,name,n_members");
+    for (const auto &row : rows)
+      {
+        table.new_row();
+        table << row.kind << row.id << quoted(row.name) << row.n_members;
+      }
+    table.write(folder / "sets.csv");
   }
 
   namespace
@@ -119,6 +154,27 @@ namespace springfit
                    (column.width > 1 ? std::to_string(w) : std::string()) + ',';
       names.pop_back();
       return names;
+    }
+
+    std::string
+    file_of(const Family &family, const std::string &network)
+    {
+      return family.kind->word() + '_' + network + ".csv";
+    }
+
+    std::string
+    word_of_role(const Column::Role role)
+    {
+      switch (role)
+        {
+          case Column::Role::stiffness:
+            return "stiffness";
+          case Column::Role::rest_value:
+            return "rest value";
+          case Column::Role::parameter:
+            return "parameter";
+        }
+      throw std::logic_error("a role without a word");
     }
 
     CsvTable
@@ -144,7 +200,26 @@ namespace springfit
                 const SpringNetwork &network)
   {
     for (const auto &family : network.families)
-      table_of(family).write(folder /
-                             (family.kind->word() + '_' + name + ".csv"));
+      table_of(family).write(folder / file_of(family, name));
+  }
+
+  void
+  write_families(const std::filesystem::path &folder,
+                 const std::vector<NamedNetwork> &networks)
+  {
+    CsvTable table("fit,file,family,law,n_members,n_nodes_of_member,column,"
+                   "meaning,unit,numbers_of_member");
+    for (const auto &[name, network] : networks)
+      for (const auto &family : network->families)
+        for (const auto &column : family.kind->columns())
+          {
+            table.new_row();
+            table << name << file_of(family, name) << family.kind->word()
+                  << family.kind->law()
+                  << static_cast<unsigned int>(family.size())
+                  << family.kind->n_nodes() << column.name
+                  << word_of_role(column.role) << column.unit << column.width;
+          }
+    table.write(folder / "families.csv");
   }
 } // namespace springfit

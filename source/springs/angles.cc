@@ -93,9 +93,10 @@ namespace springfit
       AngleKind()
         : KernelKind<AngleKernel<dim>>(
             "angles",
+            "quadratic",
             {"a", "middle", "c"},
-            {{"k", Column::Role::stiffness, dim},
-             {"rest_angle", Column::Role::rest_value, 0}})
+            {{"k", "N m/rad^2", Column::Role::stiffness, dim},
+             {"rest_angle", "rad", Column::Role::rest_value, 0}})
       {}
 
       bool

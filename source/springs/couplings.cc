@@ -137,10 +137,11 @@ namespace springfit
       CouplingKind()
         : KernelKind<CouplingKernel<dim, law>>(
             "couplings",
+            word_of(spring_law_words(), law),
             {"i_a", "j_a", "i_b", "j_b"},
-            {{"stiffness", Column::Role::stiffness, dim - 2},
-             {"rest_length_a", Column::Role::rest_value, 1},
-             {"rest_length_b", Column::Role::rest_value, 1}})
+            {{"stiffness", "N/m", Column::Role::stiffness, dim - 2},
+             {"rest_length_a", "m", Column::Role::rest_value, 1},
+             {"rest_length_b", "m", Column::Role::rest_value, 1}})
       {}
 
       bool

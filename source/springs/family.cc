@@ -38,9 +38,11 @@ namespace springfit
 
 
   SpringKind::SpringKind(std::string word,
+                         std::string law,
                          std::vector<std::string> node_names,
                          std::vector<Column> columns)
     : word_(std::move(word))
+    , law_(std::move(law))
     , node_names_(std::move(node_names))
     , columns_(std::move(columns))
   {}
@@ -49,6 +51,12 @@ namespace springfit
   SpringKind::word() const
   {
     return word_;
+  }
+
+  const std::string &
+  SpringKind::law() const
+  {
+    return law_;
   }
 
   const std::vector<std::string> &

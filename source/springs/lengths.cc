@@ -2,6 +2,7 @@
 #include <springfit/springs/pair_kind.h>
 
 #include <cmath>
+#include <string>
 
 namespace springfit
 {
@@ -12,6 +13,12 @@ namespace springfit
     {
       static constexpr bool is_hookean    = true;
       static constexpr bool has_no_length = false;
+
+      static std::string
+      word()
+      {
+        return word_of(spring_law_words(), SpringLaw::quadratic);
+      }
 
       static double
       energy(const double k, const double L, const double s)
@@ -44,6 +51,12 @@ namespace springfit
     {
       static constexpr bool is_hookean    = false;
       static constexpr bool has_no_length = false;
+
+      static std::string
+      word()
+      {
+        return word_of(spring_law_words(), SpringLaw::biquadratic);
+      }
 
       static double
       energy(const double k, const double L, const double s)

@@ -1,5 +1,8 @@
 #include <springfit/springs/pair_kind.h>
+#include <springfit/springs/spring_law.h>
 #include <springfit/springs/zero_lengths.h>
+
+#include <string>
 
 namespace springfit
 {
@@ -9,6 +12,13 @@ namespace springfit
     {
       static constexpr bool is_hookean    = true;
       static constexpr bool has_no_length = true;
+
+      /** Hooke's, with L = 0. */
+      static std::string
+      word()
+      {
+        return word_of(spring_law_words(), SpringLaw::quadratic);
+      }
 
       static double
       energy(const double k, double, const double s)

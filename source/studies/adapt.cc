@@ -11,6 +11,7 @@
 #include <springfit/studies/measured_model.h>
 #include <springfit/studies/mixed_body.h>
 #include <springfit/studies/moving_models.h>
+#include <springfit/studies/network_exports.h>
 #include <springfit/studies/responses.h>
 #include <springfit/studies/study.h>
 
@@ -312,7 +313,7 @@ namespace springfit
                                        calibrated.materials);
     scene.loads.check_supports(*calibrated.mesh, loading);
     scale_canned_cases(scene, calibrated, session, loading);
-    calibrate_scene(scene, calibrated, {}, session);
+    calibrate_scene(scene, calibrated, loading.held, {}, session);
 
     const Adaptation<dim, spacedim> adaptation(
       scene, calibrated, loading, settings, session);
@@ -379,12 +380,41 @@ namespace springfit
                    "elements = true' in section Adapt there is an exact "
                    "model.");
 
+    std::vector<ExportedScene> exports;
+    for (const auto &load_case : loading.cases)
+      {
+        exports.push_back(exported(adaptation.mixed().network(models),
+                                   load_case.name + "_adapted",
+                                   loading.held,
+                                   load_case.load));
+        exports.back().title =
+          "springfit's network adapted, load case " + load_case.name;
+      }
+    const auto wanted = exporters(scene.output);
+    if (settings.has_finite_elements && rows.back().n_cells.back() > 0)
+      {
+        if (!wanted.empty())
+          session.warn("Nothing is exported: " +
+                       std::to_string(rows.back().n_cells.back()) +
+                       " cells are finite elements, which no program takes "
+                       "for springs. Set 'Finite elements = false' in section "
+                       "Adapt.");
+        exports.clear();
+      }
+    check_exports(wanted, exports, session);
+
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.draft();
       write_adaptation(folder, rows, of_richest, names);
       write_models_of_cells(folder, models, names);
-      write_network(folder, "adapted", adaptation.mixed().network(models));
+      const auto network = adaptation.mixed().network(models);
+      write_network(folder, "adapted", network);
+      auto networks = named(calibrated.networks);
+      networks.push_back({"adapted", &network});
+      write_families(folder, networks);
+      for (const auto &of_case : exports)
+        write_exports(folder, wanted, {Kinematics::nonlinear}, of_case);
       Eigen::VectorXd of_cells(n_cells);
       for (unsigned int c = 0; c < n_cells; ++c)
         of_cells[c] = models[c];

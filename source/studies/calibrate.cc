@@ -1,7 +1,10 @@
 #include <springfit/core/collective.h>
 #include <springfit/output/vtu.h>
 #include <springfit/studies/calibrated_scene.h>
+#include <springfit/studies/network_exports.h>
 #include <springfit/studies/study.h>
+
+#include <vector>
 
 namespace springfit
 {
@@ -10,7 +13,10 @@ namespace springfit
   calibrate(const Scene<spacedim> &scene, Session &session)
   {
     auto calibrated = make_scene<dim, spacedim>(scene, session);
-    calibrate_scene(scene, calibrated, {}, session);
+    const std::vector<bool> free(spacedim * calibrated.mesh->nodes.size(),
+                                 false);
+    calibrate_scene(scene, calibrated, free, {}, session);
+    check_exports(scene, calibrated, free, session);
     session.skip("Equilibria", "a calibration loads nothing");
 
     run_on_root(session.communicator(), [&]() {
@@ -19,6 +25,7 @@ namespace springfit
                                       ("springs_" + network.name + ".vtu"),
                                     network.network,
                                     {});
+      write_exports(session.draft(), scene, calibrated);
     });
     session.say_at_the_end(
       "springs_<fit>.csv and nodes.csv are the model; open springs_" +

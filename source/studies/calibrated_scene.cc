@@ -4,6 +4,7 @@
 #include <springfit/core/formatted.h>
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
+#include <springfit/mesh/node_sets.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
@@ -19,6 +20,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace springfit
 {
@@ -204,7 +206,28 @@ namespace springfit
             return; // It is the same for all of them.
           }
     }
+
+    template <int dim, int spacedim>
+    std::vector<SetRow>
+    set_rows(const Mesh<dim, spacedim> &mesh)
+    {
+      std::vector<SetRow> rows;
+      for (const auto &row : boundary_table(mesh))
+        rows.push_back({"boundary", row.id, row.name, row.n_faces});
+      for (const auto &row : material_table(mesh))
+        rows.push_back({"material", row.id, row.name, row.n_cells});
+      return rows;
+    }
   } // namespace
+
+  std::vector<NamedNetwork>
+  named(const std::vector<CalibratedNetwork> &networks)
+  {
+    std::vector<NamedNetwork> result;
+    for (const auto &network : networks)
+      result.push_back({network.name, &network.network});
+    return result;
+  }
 
   template <int dim, int spacedim>
   CalibratedScene<dim, spacedim>
@@ -263,6 +286,7 @@ namespace springfit
   void
   calibrate_scene(const Scene<spacedim> &scene,
                   CalibratedScene<dim, spacedim> &calibrated,
+                  const std::vector<bool> &held,
                   const Eigen::MatrixXd &responses,
                   Session &session)
   {
@@ -296,10 +320,15 @@ namespace springfit
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.draft();
       write_fits(folder, rows);
-      write_nodes(folder, calibrated.networks.front().network);
+      write_nodes(folder,
+                  calibrated.networks.front().network,
+                  held,
+                  node_sets(*calibrated.mesh));
+      write_sets(folder, set_rows(*calibrated.mesh));
       write_cells(folder, *calibrated.mesh);
       for (const auto &network : calibrated.networks)
         write_network(folder, network.name, network.network);
+      write_families(folder, named(calibrated.networks));
     });
   }
 
@@ -318,16 +347,19 @@ namespace springfit
   template void
   calibrate_scene<2>(const Scene<2> &,
                      CalibratedScene<2> &,
+                     const std::vector<bool> &,
                      const Eigen::MatrixXd &,
                      Session &);
   template void
   calibrate_scene<2, 3>(const Scene<3> &,
                         CalibratedScene<2, 3> &,
+                        const std::vector<bool> &,
                         const Eigen::MatrixXd &,
                         Session &);
   template void
   calibrate_scene<3>(const Scene<3> &,
                      CalibratedScene<3> &,
+                     const std::vector<bool> &,
                      const Eigen::MatrixXd &,
                      Session &);
 } // namespace springfit

@@ -10,6 +10,7 @@
 #include <springfit/studies/comparison_files.h>
 #include <springfit/studies/delivered.h>
 #include <springfit/studies/locking.h>
+#include <springfit/studies/network_exports.h>
 #include <springfit/studies/quadratic_response.h>
 #include <springfit/studies/responses.h>
 #include <springfit/studies/study.h>
@@ -288,8 +289,10 @@ namespace springfit
     auto results = find_references(scene, calibrated, loading, session);
     calibrate_scene(scene,
                     calibrated,
+                    loading.held,
                     training_displacements(loading, results),
                     session);
+    check_exports(scene, calibrated, loading.held, session);
     find_responses(scene, calibrated, loading, results, session);
     check_stability(calibrated, loading, session);
     std::vector<Equilibrium> judges;
@@ -319,6 +322,13 @@ namespace springfit
         write_reactions(session.draft(), rows);
         write_pictures(session.draft(), calibrated, results);
         write_responses(session.draft(), calibrated, loading, results);
+        for (const auto &result : results)
+          write_exports(session.draft(),
+                        scene,
+                        calibrated,
+                        loading.held,
+                        result.load_case.name,
+                        result.load_case.load);
       });
     }
     check_completeness(results, judges, session.output_directory());

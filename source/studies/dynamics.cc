@@ -4,6 +4,7 @@
 #include <springfit/output/motion_table.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/case_in_motion.h>
+#include <springfit/studies/network_exports.h>
 #include <springfit/studies/responses.h>
 #include <springfit/studies/scene_checkpoint.h>
 #include <springfit/studies/study.h>
@@ -171,7 +172,9 @@ namespace springfit
     check_ranks(session);
     auto calibrated    = make_scene<dim, spacedim>(scene, session);
     const auto loading = loading_of(scene, calibrated, session);
-    calibrate_scene(scene, calibrated, {}, session);
+    calibrate_scene(scene, calibrated, loading.held, {}, session);
+    check_exports(scene, calibrated, loading.held, session);
+    write_moving_exports(scene, calibrated, loading, session);
     const Interruption interruption;
     const auto identity =
       identity_of_scene(session.draft(), calibrated.networks);

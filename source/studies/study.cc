@@ -56,10 +56,27 @@ namespace springfit
       scene.tradeoff.choose_models();
   }
 
+  namespace
+  {
+    template <int dim>
+    void
+    check_output(const StudyKind study, const Scene<dim> &scene)
+    {
+      scene.output.sofa_version();
+      if (!scene.output.formats().empty() &&
+          (study == StudyKind::sweep || study == StudyKind::stability))
+        throw EntryError("Output/Export",
+                         "a study of many networks keeps none of them.",
+                         "Set 'Study' to calibrate, compare or dynamics, or "
+                         "leave it empty.");
+    }
+  } // namespace
+
   template <int dim>
   void
   check_study(const StudyKind study, const Scene<dim> &scene)
   {
+    check_output(study, scene);
     switch (study)
       {
         case StudyKind::calibrate:

@@ -292,6 +292,8 @@ namespace springfit
   void
   tradeoff(const Scene<spacedim> &scene, Session &session)
   {
+    if (!scene.output.formats().empty())
+      session.skip("Exports", "recommended.prm writes them when it is run");
     check_ranks(session);
     const auto settings  = settings_of_steps(scene);
     const auto demand    = scene.tradeoff.demand(settings.step);

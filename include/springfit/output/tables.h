@@ -3,6 +3,7 @@
 
 #include <springfit/comparison/errors.h>
 #include <springfit/comparison/homogenised_tensor.h>
+#include <springfit/mesh/node_sets.h>
 #include <springfit/response/load_case.h>
 #include <springfit/springs/network.h>
 
@@ -70,10 +71,47 @@ namespace springfit
   write_fits(const std::filesystem::path &folder,
              const std::vector<FitRow> &rows);
 
-  /** nodes.csv: rest positions in m (z = 0 in 2-d) and masses in kg. */
+  /**
+   * nodes.csv: rest positions in m (z = 0 in 2-d), masses in kg, whether each
+   * component is held (0 or 1), the number of the connected part, and the ids
+   * of materials and boundaries, between blanks.
+   *
+   * @param held a flag per unknown, see Loading
+   */
   void
   write_nodes(const std::filesystem::path &folder,
-              const SpringNetwork &network);
+              const SpringNetwork &network,
+              const std::vector<bool> &held,
+              const NodeSets &sets);
+
+  /** A name of a mesh. */
+  struct SetRow
+  {
+    std::string kind; // "boundary", "material"
+    unsigned int id;
+    std::string name;       // between commas if it has several, empty if none
+    unsigned int n_members; // faces, cells
+  };
+
+  /** sets.csv: what the ids of nodes.csv are called. */
+  void
+  write_sets(const std::filesystem::path &folder,
+             const std::vector<SetRow> &rows);
+
+  /** A network and what files call it. */
+  struct NamedNetwork
+  {
+    std::string name;
+    const SpringNetwork *network;
+  };
+
+  /**
+   * families.csv: the law of each family of each network, the file that has
+   * its members, and the unit of each of its columns.
+   */
+  void
+  write_families(const std::filesystem::path &folder,
+                 const std::vector<NamedNetwork> &networks);
 
   /**
    * The families of a network called @p name, each in <word>_<name>.csv with

@@ -25,6 +25,7 @@ namespace springfit
     };
 
     std::string name; // in tables
+    std::string unit; // SI; "1" of a pure number
     Role role;
 
     /** Of a copy that is scaled by s it is s to this power as large. */
@@ -61,6 +62,7 @@ namespace springfit
   {
   public:
     SpringKind(std::string word,
+               std::string law,
                std::vector<std::string> node_names,
                std::vector<Column> columns);
 
@@ -74,6 +76,13 @@ namespace springfit
     /** In the plural, as files are called: "springs". */
     const std::string &
     word() const;
+
+    /**
+     * How the energy follows from the coordinate and the columns, where a word
+     * has several laws: "quadratic". Headers of the kinds have the formulas.
+     */
+    const std::string &
+    law() const;
 
     /** The names of a member's nodes in tables. */
     const std::vector<std::string> &
@@ -184,7 +193,7 @@ namespace springfit
             const Eigen::MatrixXd &x) const = 0;
 
   private:
-    const std::string word_;
+    const std::string word_, law_;
     const std::vector<std::string> node_names_;
     const std::vector<Column> columns_;
   };

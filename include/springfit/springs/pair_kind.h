@@ -146,9 +146,10 @@ namespace springfit
     PairKind()
       : KernelKind<PairKernel<dim, Law>>(
           "springs",
+          Law::word(),
           {"i", "j"},
-          {{"k", Column::Role::stiffness, dim - 2},
-           {"rest_length", Column::Role::rest_value, 1}})
+          {{"k", "N/m", Column::Role::stiffness, dim - 2},
+           {"rest_length", "m", Column::Role::rest_value, 1}})
     {}
 
     bool

@@ -57,6 +57,7 @@ namespace springfit
     /** @p word follows the law's prefix. */
     explicit VolumeKind(const std::string &word)
       : Base(Law::prefix() + word,
+             Law::word(),
              vertex_names(kind),
              Law::columns(dimension(kind), n_volumes))
     {}

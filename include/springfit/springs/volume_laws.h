@@ -23,8 +23,22 @@ namespace springfit
     static std::vector<Column>
     columns(const int dim, const unsigned int width)
     {
-      return {{"k", Column::Role::stiffness, -dim, width},
-              {"rest_volume", Column::Role::rest_value, dim, width}};
+      return {{"k",
+               dim == 2 ? "N/m^3" : "N/m^5",
+               Column::Role::stiffness,
+               -dim,
+               width},
+              {"rest_volume",
+               dim == 2 ? "m^2" : "m^3",
+               Column::Role::rest_value,
+               dim,
+               width}};
+    }
+
+    static std::string
+    word()
+    {
+      return "quadratic";
     }
 
     static std::string
@@ -75,9 +89,21 @@ namespace springfit
     static std::vector<Column>
     columns(const int dim, const unsigned int width)
     {
-      return {{"mu", Column::Role::parameter, 0, width},
-              {"lambda", Column::Role::parameter, 0, width},
-              {"rest_volume", Column::Role::rest_value, dim, width}};
+      // In the plane of a thickness.
+      const std::string of_lame = dim == 2 ? "N/m" : "Pa";
+      return {{"mu", of_lame, Column::Role::parameter, 0, width},
+              {"lambda", of_lame, Column::Role::parameter, 0, width},
+              {"rest_volume",
+               dim == 2 ? "m^2" : "m^3",
+               Column::Role::rest_value,
+               dim,
+               width}};
+    }
+
+    static std::string
+    word()
+    {
+      return "logarithmic";
     }
 
     static std::string
@@ -140,6 +166,12 @@ namespace springfit
     columns(const int dim, const unsigned int width)
     {
       return LogarithmicVolumeLaw::columns(dim, width);
+    }
+
+    static std::string
+    word()
+    {
+      return "logarithmic plane stress";
     }
 
     static std::string

@@ -3,6 +3,7 @@
 
 #include <springfit/calibration/calibrated_network.h>
 #include <springfit/core/session.h>
+#include <springfit/output/tables.h>
 #include <springfit/studies/scene.h>
 
 #include <memory>
@@ -20,6 +21,10 @@ namespace springfit
     double volume; // m^3, of cells of dimension 2 with the thickness
     std::vector<CalibratedNetwork> networks;
   };
+
+  /** As tables take them, for as long as they are there. */
+  std::vector<NamedNetwork>
+  named(const std::vector<CalibratedNetwork> &networks);
 
   /**
    * That of a mesh.
@@ -41,10 +46,10 @@ namespace springfit
 
   /**
    * Fit the springs, say what the fits reached and what the springs can and
-   * cannot deliver, and write fit.csv, nodes.csv, springs_<fit>.csv and, where
-   * a network has them, couplings_<fit>.csv, angles_<fit>.csv and
-   * volumes_<fit>.csv.
+   * cannot deliver, and write fit.csv, nodes.csv, sets.csv, cells.csv,
+   * families.csv and the members of each network, springs_<fit>.csv and so on.
    *
+   * @param held a flag per unknown, see Loading
    * @param responses displacements of the linear finite elements under the
    * scene's loads, one per column, row spacedim * v + d for component d of
    * vertex v; empty where nothing is loaded
@@ -53,6 +58,7 @@ namespace springfit
   void
   calibrate_scene(const Scene<spacedim> &scene,
                   CalibratedScene<dim, spacedim> &calibrated,
+                  const std::vector<bool> &held,
                   const Eigen::MatrixXd &responses,
                   Session &session);
 } // namespace springfit

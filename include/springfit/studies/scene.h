@@ -9,6 +9,7 @@
 #include <springfit/response/loads.h>
 #include <springfit/response/statics.h>
 #include <springfit/studies/adapt_section.h>
+#include <springfit/studies/output_section.h>
 #include <springfit/studies/reference_section.h>
 #include <springfit/studies/stability_section.h>
 #include <springfit/studies/sweep_range.h>
@@ -40,6 +41,7 @@ namespace springfit
     TradeoffSection<dim> tradeoff;
     AdaptSection<dim> adapt;
     StabilitySection<dim> stability;
+    OutputSection<dim> output;
   };
 } // namespace springfit
 

@@ -1,0 +1,60 @@
+#!/usr/bin/python3
+"""LAMMPS solves exported scenes, and finds the displacements that springfit has.
+
+    scripts/replays/lammps.py build/springfit parameters/cube.prm [--set "Section/Entry=value"]...
+
+With true forces as it is; small displacements as the odd part of two small loads, in which what grows
+with the square of the load cancels. Exit status 1 where they differ by more than 1e-6 of the largest
+displacement. Debian: lammps.
+"""
+
+import sys
+
+import results
+
+LIMIT = 1e-6
+SMALL = 1e-4
+
+
+def places(folder, name, load):
+    results.run(["lmp", "-in", name + ".lmp", "-log", "none", "-var", "load", str(load)], folder)
+    rows = (folder / (name + ".dump")).read_text().split("ITEM: ATOMS")[1].splitlines()[1:]
+    return [[float(word) for word in row.split()[1:4]] for row in rows]
+
+
+def difference(a, b, scale):
+    return [[(y - x) / scale for x, y in zip(p, q)] for p, q in zip(a, b)]
+
+
+def main(program, scene, *arguments):
+    entries = [word for word in arguments if word != "--set"]
+    with results.scratch_folder() as scratch:
+        folder = results.springfit(
+            program, scene, scratch, ["Output/Export=lammps", *entries]
+        )
+        nodes = results.vectors(results.read_table(folder / "nodes.csv"), "")
+        is_well = True
+        for script in sorted(folder.glob("*.lmp")):
+            name = script.stem
+            linear, nonlinear = folder / (name + ".csv"), folder / (name + "_nonlinear.csv")
+            if nonlinear.exists():
+                ours = results.vectors(results.read_table(nonlinear), "u_")
+                theirs = difference(nodes, places(folder, name, 1), 1)
+                is_well &= results.tell(
+                    name + ", true forces", results.distance(ours, theirs), LIMIT
+                )
+            if linear.exists():
+                ours = results.vectors(results.read_table(linear), "u_")
+                theirs = difference(
+                    places(folder, name, -SMALL), places(folder, name, SMALL), 2 * SMALL
+                )
+                is_well &= results.tell(
+                    name + ", small displacements", results.distance(ours, theirs), LIMIT
+                )
+        sys.exit(not is_well)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
