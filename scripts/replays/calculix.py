@@ -3,7 +3,7 @@
 
     scripts/replays/calculix.py build/springfit parameters/cube.prm [--set "Section/Entry=value"]...
 
-Exit status 1 where they differ by more than 2e-6 of the largest displacement: ccx prints seven
+Exit status 1 where they differ by more than 1e-6 of the largest displacement; ccx prints seven
 digits. Debian: calculix-ccx.
 """
 
@@ -11,7 +11,7 @@ import sys
 
 import results
 
-LIMIT = 2e-6
+LIMIT = 1e-6
 
 
 def displacements(folder, name):

@@ -64,12 +64,12 @@ namespace springfit
              const double lowest,
              const double highest)
   {
-    const Eigen::Index dim = points.rows();
+    const Eigen::Index dim = dimension(kind);
     const auto heights     = (axis.transpose() * points).eval();
     double inside = 0., total = 0.;
     for (const auto &simplex : simplices_of(kind))
       {
-        Eigen::MatrixXd edges(dim, dim);
+        Eigen::MatrixXd edges(points.rows(), dim);
         std::vector<double> h;
         for (Eigen::Index v = 0; v <= dim; ++v)
           {
@@ -78,7 +78,10 @@ namespace springfit
               edges.col(v - 1) =
                 points.col(simplex[v]) - points.col(simplex[0]);
           }
-        const double volume = std::abs(edges.determinant());
+        const double volume =
+          edges.rows() == dim
+            ? std::abs(edges.determinant())
+            : std::sqrt((edges.transpose() * edges).determinant());
         total += volume;
         inside += volume * (simplex_share_below(h, highest) -
                             simplex_share_below(h, lowest));

@@ -109,10 +109,14 @@ namespace springfit
   not_in_calculix(const ExportedScene &scene)
   {
     auto missing = families_but(is_of_hookean_springs, scene);
-    if (!scene.has_true_forces)
-      // Without NLGEOM their stress stiffness is left out.
-      for (const auto &what : springs_under_tension(scene))
-        missing.push_back(what + " and small displacements");
+    if (scene.has_true_forces)
+      return missing;
+    // Without NLGEOM their stress stiffness is left out.
+    for (const auto &what : springs_under_tension(scene))
+      missing.push_back(what + " and small displacements");
+    // It takes the forces of springs there by their true lengths.
+    if (!scene.support.isZero(0.))
+      missing.push_back("moved supports and small displacements");
     return missing;
   }
 

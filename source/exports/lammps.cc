@@ -247,7 +247,7 @@ namespace springfit
               "# Stops when the norm of all forces, N, is below the second "
               "number.\n"
               "minimize 0 "
-           << "$(" << exact(1e-10 * force)
+           << "$(" << exact(1e-11 * force)
            << "*abs(v_load)) 1000000 10000000\n";
     }
 

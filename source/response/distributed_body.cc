@@ -121,6 +121,14 @@ namespace springfit
           matrix.add(dof(row), columns.size(), columns.data(), values.data());
       }
     matrix.compress(dealii::VectorOperation::add);
+
+    // A flat membrane has nothing across itself, where it may be held.
+    const double scale = matrix.linfty_norm();
+    for (Eigen::Index row = 0; row < local.cols(); ++row)
+      if (held[row] && discretization_.locally_owned().is_element(dof(row)) &&
+          matrix.diag_element(dof(row)) == 0.)
+        matrix.set(dof(row), dof(row), scale);
+    matrix.compress(dealii::VectorOperation::insert);
   }
 
   template <int dim>

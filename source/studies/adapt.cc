@@ -413,8 +413,6 @@ namespace springfit
       auto networks = named(calibrated.networks);
       networks.push_back({"adapted", &network});
       write_families(folder, networks);
-      for (const auto &of_case : exports)
-        write_exports(folder, wanted, {Kinematics::nonlinear}, of_case);
       Eigen::VectorXd of_cells(n_cells);
       for (unsigned int c = 0; c < n_cells; ++c)
         of_cells[c] = models[c];
@@ -430,6 +428,7 @@ namespace springfit
                           {"error_percent", contributions}});
         }
     });
+    write_exports(wanted, {Kinematics::nonlinear}, exports, session);
     session.say_at_the_end("adapt.csv is the table above; colour *_adapted.vtu "
                            "by model in ParaView.");
   }

@@ -25,8 +25,8 @@ namespace springfit
                                       ("springs_" + network.name + ".vtu"),
                                     network.network,
                                     {});
-      write_exports(session.draft(), scene, calibrated);
     });
+    write_exports(scene, calibrated, session);
     session.say_at_the_end(
       "springs_<fit>.csv and nodes.csv are the model; open springs_" +
       calibrated.networks.front().name +

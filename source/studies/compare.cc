@@ -322,15 +322,12 @@ namespace springfit
         write_reactions(session.draft(), rows);
         write_pictures(session.draft(), calibrated, results);
         write_responses(session.draft(), calibrated, loading, results);
-        for (const auto &result : results)
-          write_exports(session.draft(),
-                        scene,
-                        calibrated,
-                        loading.held,
-                        result.load_case.name,
-                        result.load_case.load);
       });
     }
+    std::vector<LoadCase> cases;
+    for (const auto &result : results)
+      cases.push_back(result.load_case);
+    write_exports(scene, calibrated, loading.held, cases, session);
     check_completeness(results, judges, session.output_directory());
     const std::string first =
       calibrated.networks.front().name +

@@ -1,3 +1,4 @@
+#include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 #include <springfit/motion/stable_step.h>
@@ -28,10 +29,23 @@ namespace springfit
       return scene;
     }
 
-    std::string
-    word_of_format(const Exporter &exporter)
+    ExportedScene
+    at_rest(ExportedScene scene)
     {
-      return "'" + word_of(export_format_words(), exporter.format) + "'";
+      scene.forces.setZero();
+      scene.support.setZero();
+      scene.has_true_forces = true;
+      scene.motion.reset();
+      return scene;
+    }
+
+    std::string
+    refusal(const Exporter &exporter,
+            const std::vector<std::string> &missing,
+            const std::string &name)
+    {
+      return "'" + word_of(export_format_words(), exporter.format) +
+             "' cannot hold the " + join(missing) + " of '" + name + "'.";
     }
   } // namespace
 
@@ -57,9 +71,7 @@ namespace springfit
           {
             const auto missing = exporter.missing(scene);
             if (!missing.empty())
-              refusals.push_back(word_of_format(exporter) +
-                                 " cannot hold the " + join(missing) + " of '" +
-                                 scene.name + "'.");
+              refusals.push_back(refusal(exporter, missing, scene.name));
           }
         if (!refusals.empty() && refusals.size() == scenes.size())
           throw EntryError("Output/Export",
@@ -67,8 +79,8 @@ namespace springfit
                            "It holds " + exporter.holds +
                              ": set in section Fit " + exporter.best +
                              ", or export to numpy, which holds everything.");
-        for (const auto &refusal : refusals)
-          session.warn(refusal + " It is not exported there.");
+        for (const auto &text : refusals)
+          session.warn(text + " It is not exported there.");
       }
   }
 
@@ -90,61 +102,73 @@ namespace springfit
   }
 
   void
-  write_exports(const std::filesystem::path &folder,
-                const std::vector<Exporter> &exporters,
+  write_exports(const std::vector<Exporter> &exporters,
                 const std::vector<Kinematics> &kinematics,
-                const ExportedScene &scene)
+                const std::vector<ExportedScene> &scenes,
+                Session &session)
   {
-    const auto write = [&](const Exporter &exporter,
-                           const ExportedScene &of_kinematics) {
-      if (exporter.missing(of_kinematics).empty())
-        exporter.write(folder, of_kinematics);
-    };
-    for (const auto &exporter : exporters)
-      if (!exporter.knows_small_displacements)
-        write(exporter, scene);
-      else
-        for (const auto of_springs : kinematics)
-          {
-            auto of_kinematics = scene;
-            of_kinematics.name += suffix_of(of_springs);
-            of_kinematics.has_true_forces = of_springs == Kinematics::nonlinear;
-            write(exporter, of_kinematics);
-          }
+    if (exporters.empty())
+      return;
+    dealii::TimerOutput::Scope scope(session.timer(), "Exports");
+    run_on_root(session.communicator(), [&]() {
+      const auto write = [&](const Exporter &exporter,
+                             const ExportedScene &scene) {
+        const auto missing = exporter.missing(scene);
+        if (missing.empty())
+          exporter.write(session.draft(), scene);
+        else if (exporter.missing(at_rest(scene)).empty())
+          // Else it has been said of the network.
+          session.warn(refusal(exporter, missing, scene.name) +
+                       " It is not exported there.");
+      };
+      for (const auto &exporter : exporters)
+        for (const auto &scene : scenes)
+          if (!exporter.knows_small_displacements)
+            write(exporter, scene);
+          else
+            for (const auto of_springs : kinematics)
+              {
+                auto of_kinematics = scene;
+                of_kinematics.name += suffix_of(of_springs);
+                of_kinematics.has_true_forces =
+                  of_springs == Kinematics::nonlinear;
+                write(exporter, of_kinematics);
+              }
+    });
   }
 
   template <int dim, int spacedim>
   void
-  write_exports(const std::filesystem::path &folder,
-                const Scene<spacedim> &scene,
-                const CalibratedScene<dim, spacedim> &calibrated)
+  write_exports(const Scene<spacedim> &scene,
+                const CalibratedScene<dim, spacedim> &calibrated,
+                Session &session)
   {
-    const Eigen::MatrixXd &nodes = calibrated.networks.front().network.nodes;
-    write_exports(folder,
-                  scene,
+    const auto &nodes = calibrated.networks.front().network.nodes;
+    LoadCase none;
+    none.load = load_of_forces(0. * nodes);
+    write_exports(scene,
                   calibrated,
                   std::vector<bool>(nodes.size(), false),
-                  "",
-                  load_of_forces(0. * nodes));
+                  {none},
+                  session);
   }
 
   template <int dim, int spacedim>
   void
-  write_exports(const std::filesystem::path &folder,
-                const Scene<spacedim> &scene,
+  write_exports(const Scene<spacedim> &scene,
                 const CalibratedScene<dim, spacedim> &calibrated,
                 const std::vector<bool> &held,
-                const std::string &load_case,
-                const NodalLoad &load)
+                const std::vector<LoadCase> &cases,
+                Session &session)
   {
-    const auto wanted = exporters(scene.output);
-    if (wanted.empty())
-      return;
-    for (const auto &network : calibrated.networks)
-      write_exports(folder,
-                    wanted,
-                    scene.statics.kinematics(),
-                    scene_of_network(network, load_case, held, load));
+    // One at a time: each has a copy of the springs.
+    for (const auto &load_case : cases)
+      for (const auto &network : calibrated.networks)
+        write_exports(
+          exporters(scene.output),
+          scene.statics.kinematics(),
+          {scene_of_network(network, load_case.name, held, load_case.load)},
+          session);
   }
 
   template <int dim, int spacedim>
@@ -177,10 +201,10 @@ namespace springfit
                                              settings.damping.mass_factor,
                                              settings.damping.stiffness_factor,
                                              settings.spring_damper};
-            write_exports(session.draft(),
-                          wanted,
+            write_exports(wanted,
                           scene.statics.kinematics(),
-                          exported);
+                          {exported},
+                          session);
           }
       }
     if (changes)
@@ -202,48 +226,39 @@ namespace springfit
                 const std::vector<bool> &,
                 Session &);
   template void
-  write_exports(const std::filesystem::path &,
-                const Scene<2> &,
-                const CalibratedScene<2> &);
+  write_exports(const Scene<2> &, const CalibratedScene<2> &, Session &);
   template void
   check_exports(const Scene<3> &,
                 const CalibratedScene<2, 3> &,
                 const std::vector<bool> &,
                 Session &);
   template void
-  write_exports(const std::filesystem::path &,
-                const Scene<3> &,
-                const CalibratedScene<2, 3> &);
+  write_exports(const Scene<3> &, const CalibratedScene<2, 3> &, Session &);
   template void
   check_exports(const Scene<3> &,
                 const CalibratedScene<3> &,
                 const std::vector<bool> &,
                 Session &);
   template void
-  write_exports(const std::filesystem::path &,
-                const Scene<3> &,
-                const CalibratedScene<3> &);
+  write_exports(const Scene<3> &, const CalibratedScene<3> &, Session &);
   template void
-  write_exports(const std::filesystem::path &,
-                const Scene<2> &,
+  write_exports(const Scene<2> &,
                 const CalibratedScene<2> &,
                 const std::vector<bool> &,
-                const std::string &,
-                const NodalLoad &);
+                const std::vector<LoadCase> &,
+                Session &);
   template void
-  write_exports(const std::filesystem::path &,
-                const Scene<3> &,
+  write_exports(const Scene<3> &,
                 const CalibratedScene<2, 3> &,
                 const std::vector<bool> &,
-                const std::string &,
-                const NodalLoad &);
+                const std::vector<LoadCase> &,
+                Session &);
   template void
-  write_exports(const std::filesystem::path &,
-                const Scene<3> &,
+  write_exports(const Scene<3> &,
                 const CalibratedScene<3> &,
                 const std::vector<bool> &,
-                const std::string &,
-                const NodalLoad &);
+                const std::vector<LoadCase> &,
+                Session &);
   template void
   write_moving_exports(const Scene<2> &,
                        const CalibratedScene<2> &,

@@ -26,7 +26,7 @@ namespace
     for (unsigned int c = 0; c < mesh.n_cells(); ++c)
       {
         double x = 0.;
-        for (unsigned int a = 0; a < n_vertices(kind); ++a)
+        for (int a = 0; a < n_vertices(kind); ++a)
           x += mesh.vertices[mesh.cell(c)[a]][0] / n_vertices(kind);
         // Cells of gmsh lie across the middle: the interface is not flat.
         mesh.material_ids[c] = x > 0.5 ? 7 : 0;

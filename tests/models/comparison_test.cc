@@ -283,6 +283,19 @@ TEST(SlabShare, OfABoxIsThatOfItsExtent)
     }
 }
 
+TEST(SlabShare, OfASurfaceIsThatOfItsArea)
+{
+  // A right triangle that stands on end: half as high it has a quarter of its
+  // area above.
+  Eigen::Matrix3d points;
+  points << 0., 1., 0., //
+    0., 1., 0.,         //
+    0., 0., 2.;
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(slab_share(points, CellKind::triangle, z, 1., 2.), 0.25, 1e-14);
+  EXPECT_NEAR(slab_share(points, CellKind::triangle, z, 0., 1.), 0.75, 1e-14);
+}
+
 namespace
 {
   /** Of nodes that are held in all components. */

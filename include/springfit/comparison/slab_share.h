@@ -23,8 +23,8 @@ namespace springfit
    * and 1. Quadrilaterals and hexahedra are cut into simplices along their
    * main diagonal, which is exact for plane faces.
    *
-   * @p points dim x n_vertices in deal.II's numbering and @p axis in the same
-   * unit as the bounds.
+   * @p points spacedim x n_vertices in deal.II's numbering and @p axis in the
+   * same unit as the bounds.
    */
   double
   slab_share(const Eigen::MatrixXd &points,

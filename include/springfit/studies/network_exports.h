@@ -7,8 +7,6 @@
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/scene.h>
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 namespace springfit
@@ -42,36 +40,36 @@ namespace springfit
                 const std::vector<bool> &held,
                 Session &session);
 
+  // Writing, by the first rank; all must call it. @throws RunError when a file
+  // cannot be written.
+
   /**
-   * Write a scene for every program that can hold it, in the kinematics of the
+   * A scene for every program that can hold it, in the kinematics of the
    * comparison where the program knows both.
-   *
-   * @throws RunError when a file cannot be written.
    */
   void
-  write_exports(const std::filesystem::path &folder,
-                const std::vector<Exporter> &exporters,
+  write_exports(const std::vector<Exporter> &exporters,
                 const std::vector<Kinematics> &kinematics,
-                const ExportedScene &scene);
+                const std::vector<ExportedScene> &scenes,
+                Session &session);
 
-  /** Of all networks at rest, called <fit>. On one rank. */
+  /** All networks at rest, called <fit>. */
   template <int dim, int spacedim>
   void
-  write_exports(const std::filesystem::path &folder,
-                const Scene<spacedim> &scene,
-                const CalibratedScene<dim, spacedim> &calibrated);
+  write_exports(const Scene<spacedim> &scene,
+                const CalibratedScene<dim, spacedim> &calibrated,
+                Session &session);
 
-  /** Of all networks under a load, called <case>_<fit>. On one rank. */
+  /** All networks under all loads, called <case>_<fit>. */
   template <int dim, int spacedim>
   void
-  write_exports(const std::filesystem::path &folder,
-                const Scene<spacedim> &scene,
+  write_exports(const Scene<spacedim> &scene,
                 const CalibratedScene<dim, spacedim> &calibrated,
                 const std::vector<bool> &held,
-                const std::string &load_case,
-                const NodalLoad &load);
+                const std::vector<LoadCase> &cases,
+                Session &session);
 
-  /** As they move, under the load at the beginning. On one rank. */
+  /** As they move, under the loads at the beginning. */
   template <int dim, int spacedim>
   void
   write_moving_exports(const Scene<spacedim> &scene,
