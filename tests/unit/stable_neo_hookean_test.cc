@@ -1,6 +1,7 @@
 // Springs under tension and volumes under pressure are the finite element: at
 // rest, and at large deformation that of their law.
 
+#include <springfit/fit/cell/finite_element_stiffness.h>
 #include <springfit/fit/cell/stable_neo_hookean.h>
 #include <springfit/fit/fit.h>
 #include <springfit/springs/cell_quadrature.h>
@@ -92,6 +93,17 @@ namespace
           EXPECT_LT(residual(problem, model).norm(),
                     1e-13 * problem.stiffness.norm());
         }
+    });
+  }
+
+  TEST(FiniteElementStiffness, AgreesWithIndependentIntegration)
+  {
+    for_each_problem([](const FitProblem &problem, double) {
+      const auto R = finite_element_stiffness(problem.points,
+                                              problem.kind,
+                                              problem.material);
+      EXPECT_LT((R - problem.stiffness).norm(),
+                1e-13 * problem.stiffness.norm());
     });
   }
 
