@@ -1,6 +1,7 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
+#include <springfit/core/example_scene.h>
 #include <springfit/core/incomplete_error.h>
 #include <springfit/core/lone_process.h>
 #include <springfit/core/long_values.h>
@@ -299,7 +300,8 @@ namespace
     std::string file;
     CLI::App app("springfit turns a mesh into springs that come as close as "
                  "they can to its finite elements, and measures how close.\n"
-                 "Example: springfit parameters/cube.prm");
+                 "Example: springfit " +
+                 example_scene());
     app.add_option("file", file, "parameter file (.prm)");
     app
       .add_option("--set",
@@ -331,15 +333,16 @@ namespace
       }
     catch (const CLI::ParseError &error)
       {
-        return report(std::string(error.what()) +
-                        ". 'springfit --help' lists the options; try springfit "
-                        "parameters/cube.prm.",
-                      Status::wrong_input);
+        return report(
+          std::string(error.what()) +
+            ". 'springfit --help' lists the options; try springfit " +
+            example_scene() + '.',
+          Status::wrong_input);
       }
 
     if (file.empty() && command_line.defaults.empty())
-      return report("No parameter file is given. Try springfit "
-                    "parameters/cube.prm, or springfit --help.",
+      return report("No parameter file is given. Try springfit " +
+                      example_scene() + ", or springfit --help.",
                     Status::wrong_input);
     command_line.source.file = file;
     return run(command_line);

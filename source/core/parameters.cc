@@ -1,3 +1,4 @@
+#include <springfit/core/example_scene.h>
 #include <springfit/core/parameter_text.h>
 #include <springfit/core/parameters.h>
 #include <springfit/core/trimmed.h>
@@ -281,7 +282,7 @@ namespace springfit
   check_parameter_file(const std::filesystem::path &file)
   {
     const std::string mend =
-      "Name an existing parameter file, for example parameters/cube.prm.";
+      "Name an existing parameter file, for example " + example_scene() + '.';
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (status.type() == std::filesystem::file_type::not_found)
