@@ -4,36 +4,62 @@
 #
 # Left, the finite elements, coloured by displacement; middle, the springs of a
 # fit (or frobenius_nonlinear), coloured by stiffness; right, the error of the
-# fit. Deformation x 3.
+# fit. The displacements are drawn 3 times as large, or as a number behind the
+# picture's name says.
+#
+# Or a network at rest, coloured by its first column (of springs the stiffness):
+#
+#   pvbatch scripts/picture.py --network output/cube/springs_spectral.vtu springs.png
 #
 # Or a motion as an animation, true to scale, coloured by displacement:
 #
 #   pvbatch scripts/picture.py --movie output/swing/own_frobenius.pvd swing.gif
 #
 # A .gif or .mp4 is made by ffmpeg; any other name is a folder for the frames as
-# PNG. On a machine without a screen: xvfb-run -a pvbatch ...
+# PNG. Debian's packages: apt-get install paraview python3-paraview, ffmpeg for a
+# movie; on a machine without a screen xvfb too, and xvfb-run -a pvbatch ...
+import itertools
 import pathlib
 import subprocess
 import sys
 import tempfile
-from paraview.simple import *
 
-usage = ("usage: pvbatch scripts/picture.py FOLDER CASE FIT PICTURE.png, such as "
-         "output/cube torsion spectral cube.png\n"
-         "or     pvbatch scripts/picture.py --movie SERIES.pvd MOVIE.gif")
+try:
+    from paraview.simple import *
+except ImportError:
+    sys.exit("picture.py: ParaView is missing. Install it: "
+             "apt-get install paraview python3-paraview xvfb\n"
+             "Then: xvfb-run -a pvbatch scripts/picture.py ...")
+
+usage = """usage: pvbatch scripts/picture.py FOLDER CASE FIT PICTURE.png [TIMES], such as
+         output/cube torsion spectral cube.png 3
+or     pvbatch scripts/picture.py --network FOLDER/springs_FIT.vtu PICTURE.png
+or     pvbatch scripts/picture.py --movie SERIES.pvd MOVIE.gif
+Without a screen: xvfb-run -a pvbatch ...; Debian's packages are paraview, python3-paraview,
+xvfb, and ffmpeg for movies."""
+
+BAR, TITLE = 0.2, 0.08  # parts of a view's height
 
 
-def coloured(source, array, title, view, representation, value_range=None):
-    """Show a source in a view with a bar that explains its colours."""
+def coloured(source, data, array, title, view, representation, value_range=None):
+    """Show a source in a view with a bar that explains its colours; white is 0 where
+    there are negative numbers."""
     display = Show(source, view)
     display.Representation = representation
-    ColorBy(display, ("POINTS", array))
+    display.LineWidth = 2 if representation == "Wireframe" else 1
+    ColorBy(display, (data, array))
     table = GetColorTransferFunction(array)
-    table.ApplyPreset("Viridis (matplotlib)", True)
     if value_range is None:
-        display.RescaleTransferFunctionToDataRange(False, True)
+        found = source.CellData if data == "CELLS" else source.PointData
+        n_components = found[array].GetNumberOfComponents()
+        value_range = found[array].GetRange(-1 if n_components > 1 else 0)
+    low, high = value_range
+    if low < 0 < high:
+        low, high = -max(-low, high), max(-low, high)
+        table.ApplyPreset("Cool to Warm", True)
     else:
-        table.RescaleTransferFunction(*value_range)
+        table.ApplyPreset("Viridis (matplotlib)", True)
+    table.RescaleTransferFunction(low, high)
     bar = GetScalarBar(table, view)
     bar.Title, bar.ComponentTitle = title, ""
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
@@ -43,7 +69,6 @@ def coloured(source, array, title, view, representation, value_range=None):
     bar.AutomaticLabelFormat, bar.LabelFormat = 0, "%-#.2g"
     bar.RangeLabelFormat = "%-#.2g"
     bar.UseCustomLabels = 1
-    low, high = display.LookupTable.RGBPoints[0], display.LookupTable.RGBPoints[-4]
     bar.CustomLabels = [(low + high) / 2]
     display.SetScalarBarVisibility(view, True)
 
@@ -55,23 +80,59 @@ def white(view):
     return view
 
 
-def look_from_the_front(view):
-    camera = view.GetActiveCamera()
-    camera.SetPosition(2.4, -2.2, 1.5)
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetViewUp(0, 0, 1)
-    ResetCamera(view)
-    camera.Zoom(0.78)
+def written(text, view):
+    display = Show(Text(Text=text), view)
+    display.Color = [0, 0, 0]
+    display.FontSize = 18
+    display.WindowLocation = "Upper Center"
 
 
-def panel(source, array, title, layout, cell, representation="Surface With Edges"):
-    view = white(CreateRenderView())
-    AssignViewToLayout(view, layout, cell)
-    coloured(source, array, title, view, representation)
-    look_from_the_front(view)
+def look_at(view, box, width, height):
+    """Put a box between the bar and the title of a view of this size: a plane from above,
+    anything else from the front, somewhat aside."""
+    def unit(a):
+        return [x / sum(y * y for y in a) ** 0.5 for x in a]
+
+    def cross(a, b):
+        return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+    size = max(box[i + 1] - box[i] for i in (0, 2, 4)) or 1.
+    is_plane = box[5] - box[4] < 1e-6 * size
+    towards = [0., 0., 1.] if is_plane else unit((2.4, -2.2, 1.5))
+    right = [1., 0., 0.] if is_plane else unit(cross([0, 0, 1], towards))
+    up = cross(towards, right)
+
+    def extent(axis):
+        places = [sum(x * a for x, a in zip(corner, axis))
+                  for corner in itertools.product(box[0:2], box[2:4], box[4:6])]
+        return min(places), max(places)
+
+    (left, end), (bottom, top) = extent(right), extent(up)
+    free = 1. - BAR - TITLE
+    full = 1.06 * max((top - bottom) / free, (end - left) * height / width)
+    middle = (bottom + top) / 2 - (BAR - TITLE) / 2 * full
+    depth = sum((box[i] + box[i + 1]) / 2 * d for i, d in zip((0, 2, 4), towards))
+    view.CameraParallelProjection = 1
+    view.CameraParallelScale = full / 2
+    view.CameraFocalPoint = [(left + end) / 2 * r + middle * u + depth * t
+                             for r, u, t in zip(right, up, towards)]
+    view.CameraPosition = [x + 10 * size * t for x, t in zip(view.CameraFocalPoint, towards)]
+    view.CameraViewUp = up
 
 
-def picture_of_comparison(folder, case, fit, picture):
+def bounds(source):
+    source.UpdatePipeline()
+    return source.GetDataInformation().GetBounds()
+
+
+def read(path):
+    data = XMLUnstructuredGridReader(FileName=[str(path)])
+    data.UpdatePipeline()
+    return data
+
+
+def picture_of_comparison(folder, case, fit, picture, times):
+    width, height = 450, 560
     network = fit[:-len("_nonlinear")] if fit.endswith("_nonlinear") else fit
     for needed in (f"{case}_fem", f"{case}_{fit}", f"springs_{network}"):
         if not (pathlib.Path(folder) / f"{needed}.vtu").exists():
@@ -80,26 +141,54 @@ def picture_of_comparison(folder, case, fit, picture):
                      + ", ".join(there))
 
     def warped(file, vector):
-        data = XMLUnstructuredGridReader(FileName=[f"{folder}/{file}.vtu"])
-        data.UpdatePipeline()
-        return WarpByVector(Input=data, Vectors=["POINTS", vector], ScaleFactor=3)
+        data = read(f"{folder}/{file}.vtu")
+        result = WarpByVector(Input=data, Vectors=["POINTS", vector], ScaleFactor=times)
+        result.UpdatePipeline()
+        return result
 
     layout = CreateLayout("picture")
     layout.SplitHorizontal(0, 0.3333)
     layout.SplitHorizontal(2, 0.5)
-    panel(warped(f"{case}_fem", "displacement"), "displacement",
-          "finite elements: displacement, m", layout, 1)
-    springs = warped(f"springs_{network}",
-                     f"displacement_{case}{fit[len(network):]}")
-    panel(springs, "k", f"springs, {fit} fit: k, N/m", layout, 5, "Wireframe")
-    panel(warped(f"{case}_{fit}", "displacement"), "error",
-          "error of the springs, m", layout, 6)
-    layout.SetSize(1350, 560)
-    SaveScreenshot(picture, layout, ImageResolution=[1350, 560])
+    springs = warped(f"springs_{network}", f"displacement_{case}{fit[len(network):]}")
+    fem = warped(f"{case}_fem", "displacement")
+    panels = [(fem, "POINTS", "displacement", "finite elements: displacement, m", 1,
+               "Surface With Edges"),
+              (springs, "CELLS", "k", f"springs, {fit} fit: k, N/m", 5, "Wireframe"),
+              (warped(f"{case}_{fit}", "displacement"), "POINTS", "error",
+               "error of the springs, m", 6, "Surface With Edges")]
+    boxes = [bounds(panel[0]) for panel in panels]
+    box = [(min, max)[i % 2](b[i] for b in boxes) for i in range(6)]
+    for source, data, array, title, cell, representation in panels:
+        view = white(CreateRenderView())
+        AssignViewToLayout(view, layout, cell)
+        coloured(source, data, array, title, view, representation)
+        written(f"{case}, displacements x {times:g}", view)
+        look_at(view, box, width, height)
+    layout.SetSize(3 * width, height)
+    SaveScreenshot(picture, layout, ImageResolution=[3 * width, height])
+
+
+def picture_of_network(path, picture):
+    if not pathlib.Path(path).exists():
+        sys.exit(f"picture.py: there is no {path}.")
+    network = read(path)
+    kind = pathlib.Path(path).stem.split("_")[0]
+    array, unit = {"springs": ("k", "N/m"), "couplings": ("stiffness", "N/m"),
+                   "angles": ("k", "N m")}.get(kind, (network.CellData[0].Name, ""))
+    width, height = 720, 720
+    view = white(CreateRenderView())
+    view.ViewSize = [width, height]
+    coloured(network, "CELLS", array, f"{array}, {unit}" if unit else array, view,
+             "Wireframe" if unit else "Surface With Edges")
+    n = network.GetDataInformation().GetNumberOfCells()
+    written(f"{pathlib.Path(path).stem}, {n} in number", view)
+    look_at(view, bounds(network), width, height)
+    SaveScreenshot(picture, view, ImageResolution=[width, height])
 
 
 def write_frames(series, folder):
     """One picture for each time of a series; all in the same colours."""
+    width, height = 720, 560
     data = PVDReader(FileName=series)
     warped = WarpByVector(Input=data, Vectors=["POINTS", "displacement"], ScaleFactor=1)
     times = list(data.TimestepValues)
@@ -108,27 +197,18 @@ def write_frames(series, folder):
         warped.UpdatePipeline(time)
         boxes.append(warped.GetDataInformation().GetBounds())
         largest = max(largest, warped.PointData["displacement"].GetRange(-1)[1])
-    box = [low_or_high(box[i] for box in boxes)
-           for i, low_or_high in enumerate((min, max) * 3)]
 
     view = white(CreateRenderView())
-    view.ViewSize = [720, 560]
+    view.ViewSize = [width, height]
     view.ViewTime = times[0]
-    coloured(warped, "displacement", "displacement, m", view, "Surface With Edges",
+    coloured(warped, "POINTS", "displacement", "displacement, m", view, "Surface With Edges",
              [0, largest])
-    middle = [(low + high) / 2 for low, high in zip(box[::2], box[1::2])]
-    size = sum((high - low) ** 2 for low, high in zip(box[::2], box[1::2])) ** 0.5
-    view.CameraParallelProjection = 1
-    middle[2] -= 0.08 * size  # room for the bar
-    view.CameraFocalPoint = middle
-    view.CameraPosition = [x + size * d for x, d in zip(middle, (2.4, -2.2, 1.5))]
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraParallelScale = 0.45 * size
+    look_at(view, [(min, max)[i % 2](b[i] for b in boxes) for i in range(6)], width, height)
     for number, time in enumerate(times):
         view.ViewTime = time
         Render(view)
         SaveScreenshot(str(folder / f"frame_{number:05d}.png"), view,
-                       ImageResolution=[720, 560])
+                       ImageResolution=[width, height])
 
 
 def movie(series, target):
@@ -149,7 +229,9 @@ def movie(series, target):
 arguments = sys.argv[1:]
 if len(arguments) == 3 and arguments[0] == "--movie":
     movie(*arguments[1:])
-elif len(arguments) == 4 and not arguments[0].startswith("-"):
-    picture_of_comparison(*arguments)
+elif len(arguments) == 3 and arguments[0] == "--network":
+    picture_of_network(*arguments[1:])
+elif len(arguments) in (4, 5) and not arguments[0].startswith("-"):
+    picture_of_comparison(*arguments[:4], float(arguments[4]) if arguments[4:] else 3.)
 else:
     sys.exit(usage)

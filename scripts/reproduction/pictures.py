@@ -45,23 +45,16 @@ def _project(point):
     return _dot(point, right), _dot(point, up) / length
 
 
-def _cells(mesh):
-    begin = 0
-    for kind, end in zip(mesh["types"], mesh["offsets"]):
-        yield kind, mesh["connectivity"][begin:end]
-        begin = end
-
-
 def _visible_faces(mesh):
     """Faces of the surface that look at the eye; a hole's, which look towards
     the object's axis (along x), do not count."""
-    points = mesh["points"]
+    points = mesh.points
     axis = [(min(p[d] for p in points) + max(p[d] for p in points)) / 2 for d in range(3)]
     faces = {}
-    for kind, cell in _cells(mesh):
+    for kind, cell in zip(mesh.types, mesh.cells):
         for face in FACES[kind]:
             nodes = [cell[v] for v in face]
-            key = frozenset(tuple(round(1e7 * x) for x in points[n]) for n in nodes)
+            key = frozenset(nodes)
             faces[key] = None if key in faces else (nodes, _sum([points[n] for n in cell]))
     for nodes, inside in (face for face in faces.values() if face):
         a, b, c = (points[n] for n in nodes[:3])
@@ -77,32 +70,26 @@ def _visible_faces(mesh):
 
 def _edges(mesh):
     """Pairs of nodes, each edge once."""
-    flat = mesh["types"][0] in (5, 9)
-    loops = [cell for _, cell in _cells(mesh)] if flat else _visible_faces(mesh)
-    points, seen = mesh["points"], {}
-    for loop in loops:
-        for a, b in zip(loop, list(loop[1:]) + [loop[0]]):
-            key = frozenset(tuple(round(1e7 * x) for x in points[n]) for n in (a, b))
-            seen.setdefault(key, (a, b))
+    flat = mesh.types[0] in (5, 9)
+    seen = {}
+    for loop in mesh.cells if flat else _visible_faces(mesh):
+        for a, b in zip(loop, [*loop[1:], loop[0]]):
+            seen.setdefault(frozenset((a, b)), (a, b))
     return flat, list(seen.values())
 
 
-def _trails(mesh, edges):
+def _trails(edges):
     """The edges joined to lines that run through each edge once."""
-    def place(node):
-        return tuple(round(1e7 * x) for x in mesh["points"][node])
-
     left = {}
     for a, b in edges:
-        left.setdefault(place(a), {})[place(b)] = b
-        left.setdefault(place(b), {})[place(a)] = a
-    for begin, node in [(place(n), n) for edge in edges for n in edge]:
-        trail = [node]
-        while left[begin]:
-            end, node = left[begin].popitem()
-            del left[end][begin]
-            trail.append(node)
-            begin = end
+        left.setdefault(a, {})[b] = None
+        left.setdefault(b, {})[a] = None
+    for begin in [node for edge in edges for node in edge]:
+        trail = [begin]
+        while left[trail[-1]]:
+            end, _ = left[trail[-1]].popitem()
+            del left[end][trail[-1]]
+            trail.append(end)
         if len(trail) > 1:
             yield trail
 
@@ -113,7 +100,7 @@ def _block(name, mesh, flat, trails):
     for trail in trails:
         for node in trail:
             at = [100 * (x + u) for x, u in
-                  zip(mesh["points"][node], mesh["displacement"][node])]
+                  zip(mesh.points[node], mesh.point_data["displacement"][node])]
             lines.append("%.3f %.3f" % (tuple(at[:2]) if flat else _project(at)))
         lines.append("")
     return "\n".join(lines + ["EOD"])
@@ -125,7 +112,7 @@ def deformed(folder, case, fits, titles, path):
     flat, edges = _edges(fem)
     if len(edges) > MANY_EDGES:
         fits, titles = fits[:1], titles[:1]
-    trails = list(_trails(fem, edges))
+    trails = list(_trails(edges))
     blocks = [_block("fem", fem, flat, trails)]
     panels = []
     for number, (fit, title) in enumerate(zip(fits, titles)):

@@ -3,8 +3,8 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/output/adapt_table.h>
+#include <springfit/output/mesh_vtu.h>
 #include <springfit/output/tables.h>
-#include <springfit/output/vtu.h>
 #include <springfit/response/distributed_body.h>
 #include <springfit/response/finite_element_body.h>
 #include <springfit/studies/calibrated_scene.h>

@@ -1,5 +1,5 @@
 #include <springfit/core/collective.h>
-#include <springfit/output/vtu.h>
+#include <springfit/output/network_vtu.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/network_exports.h>
 #include <springfit/studies/study.h>
@@ -21,10 +21,7 @@ namespace springfit
 
     run_on_root(session.communicator(), [&]() {
       for (const auto &network : calibrated.networks)
-        write_springs_vtu<spacedim>(session.draft() /
-                                      ("springs_" + network.name + ".vtu"),
-                                    network.network,
-                                    {});
+        write_network_vtu(session.draft(), network.name, network.network, {});
     });
     write_exports(scene, calibrated, session);
     session.say_at_the_end(

@@ -5,6 +5,7 @@
 #include <springfit/mesh/boundaries.h>
 #include <springfit/mesh/materials.h>
 #include <springfit/mesh/node_sets.h>
+#include <springfit/output/mesh_vtu.h>
 #include <springfit/output/response_table.h>
 #include <springfit/output/tables.h>
 #include <springfit/reference/cell_matrices.h>
@@ -326,6 +327,8 @@ namespace springfit
                   node_sets(*calibrated.mesh));
       write_sets(folder, set_rows(*calibrated.mesh));
       write_cells(folder, *calibrated.mesh);
+      write_mesh_vtu(folder / "mesh.vtu", *calibrated.mesh, {});
+      write_boundaries_vtu(folder / "boundaries.vtu", *calibrated.mesh);
       for (const auto &network : calibrated.networks)
         write_network(folder, network.name, network.network);
       write_families(folder, named(calibrated.networks));

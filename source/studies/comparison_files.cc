@@ -1,6 +1,7 @@
 #include <springfit/comparison/errors.h>
+#include <springfit/output/mesh_vtu.h>
+#include <springfit/output/network_vtu.h>
 #include <springfit/output/response_table.h>
-#include <springfit/output/vtu.h>
 #include <springfit/studies/comparison_files.h>
 
 #include <cstddef>
@@ -79,10 +80,10 @@ namespace springfit
     for (const auto &[name, files] : series)
       write_pvd(folder / (name + ".pvd"), files);
     for (std::size_t n = 0; n < calibrated.networks.size(); ++n)
-      write_springs_vtu<spacedim>(
-        folder / ("springs_" + calibrated.networks[n].name + ".vtu"),
-        calibrated.networks[n].network,
-        spring_fields[n]);
+      write_network_vtu(folder,
+                        calibrated.networks[n].name,
+                        calibrated.networks[n].network,
+                        spring_fields[n]);
   }
 
   template <int dim, int spacedim>

@@ -1,6 +1,6 @@
 #include <springfit/core/error.h>
+#include <springfit/output/mesh_vtu.h>
 #include <springfit/output/motion_table.h>
-#include <springfit/output/vtu.h>
 #include <springfit/response/boundary_parts.h>
 #include <springfit/response/loaded_surface.h>
 #include <springfit/studies/motion_output.h>

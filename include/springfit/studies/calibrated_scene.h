@@ -47,7 +47,8 @@ namespace springfit
   /**
    * Fit the springs, say what the fits reached and what the springs can and
    * cannot deliver, and write fit.csv, nodes.csv, sets.csv, cells.csv,
-   * families.csv and the members of each network, springs_<fit>.csv and so on.
+   * families.csv, the members of each network, springs_<fit>.csv and so on, and
+   * mesh.vtu with the materials and boundaries.vtu.
    *
    * @param held a flag per unknown, see Loading
    * @param responses displacements of the linear finite elements under the

@@ -19,9 +19,10 @@ namespace springfit
   // On one rank. @throws RunError when a file cannot be written.
 
   /**
-   * The displacements of all cases and models, and the springs: <case>_fem.vtu,
-   * <case>_<fit>.vtu, springs_<fit>.vtu and a series of the cases for each
-   * model. What did not reach the whole load is called *_incomplete.vtu.
+   * The displacements of all cases and models, and the networks:
+   * <case>_fem.vtu, <case>_<fit>.vtu, springs_<fit>.vtu (see
+   * write_network_vtu()) and a series of the cases for each model. What did not
+   * reach the whole load is called *_incomplete.vtu.
    */
   template <int dim, int spacedim>
   void

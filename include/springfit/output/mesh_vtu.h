@@ -1,29 +1,26 @@
-#ifndef springfit_output_vtu_h
-#define springfit_output_vtu_h
+#ifndef springfit_output_mesh_vtu_h
+#define springfit_output_mesh_vtu_h
 
 #include <springfit/mesh/mesh.h>
-#include <springfit/springs/network.h>
+#include <springfit/output/node_grid.h>
 
 #include <Eigen/Core>
 
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace springfit
 {
-  /**
-   * Values at the nodes of a mesh: a row per component, a column per node.
-   * With as many components as the mesh has dimensions it is a vector.
-   */
-  struct NodalField
-  {
-    std::string name;
-    Eigen::MatrixXd values;
-  };
+  // A mesh of linear cells for ParaView. The nodes are points that cells share,
+  // with their numbers as "node".
 
-  /** The cells of a mesh with values at their nodes. */
+  // @throws RunError as write_vtu() does.
+
+  /**
+   * The cells with their material ids as "material", and values at the nodes:
+   * point p is node p, cell c the one of active cell index c.
+   */
   template <int dim, int spacedim>
   void
   write_mesh_vtu(const std::filesystem::path &path,
@@ -47,7 +44,7 @@ namespace springfit
 
   /**
    * The same of some cells, of which @p cells has a flag each, by active cell
-   * index.
+   * index, and their nodes.
    */
   template <int dim, int spacedim>
   void
@@ -57,19 +54,13 @@ namespace springfit
                  const std::vector<NodalField> &fields);
 
   /**
-   * The springs of a network as lines with their stiffness "k" in N/m and
-   * "rest_length" in m, and values at their nodes.
+   * The faces on the boundary (edges of cells of dimension 2) with their
+   * boundary ids as "boundary", and their nodes.
    */
-  template <int dim>
+  template <int dim, int spacedim>
   void
-  write_springs_vtu(const std::filesystem::path &path,
-                    const SpringNetwork &network,
-                    const std::vector<NodalField> &fields);
-
-  /** A series of files in the folder of @p path, each with its place in it. */
-  void
-  write_pvd(const std::filesystem::path &path,
-            const std::vector<std::pair<double, std::string>> &files);
+  write_boundaries_vtu(const std::filesystem::path &path,
+                       const Mesh<dim, spacedim> &mesh);
 } // namespace springfit
 
 #endif
