@@ -33,10 +33,9 @@ def main(program, scene, *arguments):
             program, scene, scratch, ["Output/Export=calculix", *entries]
         )
         is_well = True
-        for scene_of_ccx in sorted(folder.glob("*.inp")):
-            name = scene_of_ccx.stem
+        for path, name in results.exported(folder, "inp"):
             ours = results.vectors(results.read_table(folder / (name + ".csv")), "u_")
-            theirs = displacements(folder, name)
+            theirs = displacements(folder, path.stem)
             is_well &= results.tell(name, results.distance(ours, theirs), LIMIT)
         sys.exit(not is_well)
 

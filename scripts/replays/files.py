@@ -8,6 +8,7 @@ and the forces must be those of springfit's tables. Exit status 1 where they are
 python3-numpy for numpy.
 """
 
+import math
 import pathlib
 import re
 import sys
@@ -73,9 +74,11 @@ OF_FEBIO = {
 class Tables:
     """What springfit says of a scene; the springs as a set without an order."""
 
-    def __init__(self, folder, case, fit):
+    def __init__(self, folder, name):
+        case, self.fit = name.split("_", 1)
+        fit = self.fit
         rows = results.read_table(folder / "nodes.csv")
-        self.nodes = results.vectors(rows, "")
+        self.nodes = [tuple(x) for x in results.vectors(rows, "")]
         self.mass = [float(row["mass"]) for row in rows]
         table = results.read_table(folder / f"{case}_{fit}.csv")
         self.is_plane = "set Dimension        = 2" in (folder / "used.prm").read_text()
@@ -89,6 +92,14 @@ class Tables:
         self.forces = [
             tuple(0.0 if held else f for f, held in zip(force, held_of_node))
             for force, held_of_node in zip(results.vectors(table, "force_"), self.held)
+        ]
+        # Supports are moved from where the nodes are at rest.
+        self.support = [
+            tuple(u if held else 0.0 for u, held in zip(moved, held_of_node))
+            for moved, held_of_node in zip(results.vectors(table, "u_"), self.held)
+        ]
+        self.places = [
+            tuple(x + u for x, u in zip(*pair)) for pair in zip(self.nodes, self.support)
         ]
         self.springs = sorted(
             (int(row["i"]), int(row["j"]), float(row["k"]), float(row["rest_length"]))
@@ -126,7 +137,7 @@ def sofa(path, tables, folder):
         found = [e for e in network if e.tag.endswith(tag)]
         return found[0].get(name) if found else ""
 
-    check("nodes", [tuple(x) for x in tables.nodes], numbers(attribute("MechanicalObject", "position"), 3))
+    check("nodes", tables.places, numbers(attribute("MechanicalObject", "position"), 3))
     check("masses", tables.mass, [m for m, in numbers(attribute("DiagonalMass", "vertexMass"), 1)])
     springs = numbers(attribute("ringForceField", "spring"), 5)
     check("springs", tables.springs, sorted((int(i), int(j), k, L) for i, j, k, _, L in springs))
@@ -141,7 +152,7 @@ def sofa(path, tables, folder):
     forces = numbers(attribute("ConstantForceField", "forces"), 3)
     check("forces", tables.forces_of_nodes(), dict(zip(nodes, forces)))
     volumes = network.find("Node")
-    fit = path.stem.split("_", 1)[1]
+    fit = tables.fit
     if (folder / f"volumes_{fit}.csv").exists():
         rows = results.read_table(folder / f"volumes_{fit}.csv")
         topology = integers(attribute("MeshTopology", "tetrahedra"))
@@ -161,7 +172,7 @@ def febio(path, tables, _):
             if child.tag not in OF_FEBIO.get(element.tag, "").split():
                 results.fail(f"FEBio does not know {child.tag} in {element.tag}")
     nodes = [tuple(map(float, e.text.split(","))) for e in root.iterfind("Mesh/Nodes/node")]
-    check("nodes", [tuple(x) for x in tables.nodes], nodes)
+    check("nodes", tables.nodes, nodes)
     sets = {e.get("name"): [n - 1 for n in integers(e.text)] for e in root.iterfind("Mesh/NodeSet")}
     for d, axis in enumerate("xyz"):
         held = [n for n, of_node in enumerate(tables.held) if of_node[d]]
@@ -169,18 +180,24 @@ def febio(path, tables, _):
     maps = {
         e.get("name"): [float(v.text) for v in e] for e in root.iterfind("MeshData/NodeData")
     }
+    for d, axis in enumerate("xyz"):
+        moved = [tables.support[n][d] for n in sets.get("held_" + axis, [])]
+        check("moved supports", moved, maps.get("support_" + axis, []))
     if "loaded" in sets:
         forces = zip(*(maps["force_" + axis] for axis in "xyz"))
         check("forces", tables.forces_of_nodes(), dict(zip(sets["loaded"], forces)))
-    distances = {(i, j): L for i, j, _, L in tables.springs}
     springs = []
     k_of = {e.get("id"): float(e.find("E").text) for e in root.iterfind("Discrete/discrete_material")}
     material = {e.get("discrete_set"): e.get("dmat") for e in root.iterfind("Discrete/discrete")}
     for element in root.iterfind("Mesh/DiscreteSet"):
         for pair in element:
             i, j = (n - 1 for n in integers(pair.text))
-            springs.append((i, j, k_of[material[element.get("name")]], distances[i, j]))
-    check("springs", [s for s in tables.springs if s[2] != 0.0], sorted(springs))
+            springs.append((i, j, k_of[material[element.get("name")]]))
+    check("springs", [s[:3] for s in tables.springs if s[2] != 0.0], sorted(springs))
+    for i, j, _, rest_length in tables.springs:
+        # FEBio's rest lengths are distances.
+        distance = math.dist(nodes[i], nodes[j])
+        check("rest lengths", True, abs(distance - rest_length) <= 1e-9 * distance)
 
 
 def gipsi(path, tables, _):
@@ -192,7 +209,7 @@ def gipsi(path, tables, _):
     if any(words[0] == "#" for words in lines[last_mass:]):
         results.fail("a comment behind the masses")
     masses = [tuple(map(float, words)) for words in kinds["m"]]
-    check("nodes", [(m, *x) for m, x in zip(tables.mass, tables.nodes)], masses)
+    check("nodes", [(m, *x) for m, x in zip(tables.mass, tables.places)], masses)
     springs = [(int(i) - 1, int(j) - 1, float(k), float(L)) for i, j, k, _, L in kinds["s"]]
     check("springs", tables.springs, sorted(springs))
     held = [n + 1 for n, of_node in enumerate(tables.held) if all(of_node)]
@@ -203,11 +220,12 @@ def numpy(path, tables, folder):
     import numpy as np
 
     arrays = np.load(path)
-    check("nodes", tables.nodes, arrays["nodes"].tolist())
+    check("nodes", tables.nodes, [tuple(x) for x in arrays["nodes"].tolist()])
+    check("moved supports", tables.support, [tuple(u) for u in arrays["support"].tolist()])
     check("masses", tables.mass, arrays["mass"].tolist())
     check("supports", tables.held, [tuple(n) for n in arrays["held"].astype(bool).tolist()])
     check("forces", tables.forces, [tuple(f) for f in arrays["forces"].tolist()])
-    fit = path.stem.split("_", 1)[1]
+    fit = tables.fit
     names = {"nodes", "mass", "held", "support", "forces"}
     for row in results.read_table(folder / "families.csv"):
         if row["fit"] != fit:
@@ -220,7 +238,8 @@ def numpy(path, tables, folder):
         check(row["column"], [[float(m[c]) for c in columns] for m in members], array.tolist())
         nodes = arrays[row["family"] + "_nodes"].reshape(len(members), n)
         check("members", [[int(v) for v in list(m.values())[:n]] for m in members], nodes.tolist())
-        names |= {row["family"] + "_" + row["column"], row["family"] + "_nodes"}
+        check("law", row["law"], str(arrays[row["family"] + "_law"]))
+        names |= {row["family"] + "_" + what for what in (row["column"], "nodes", "law")}
     check("arrays", names, set(arrays.files))
 
 
@@ -234,12 +253,8 @@ def main(format_, program, scene, *arguments):
         folder = results.springfit(
             program, pathlib.Path(scene), scratch, [f"Output/Export={format_}", *entries]
         )
-        files = sorted(folder.glob("*." + ending))
-        if not files:
-            results.fail("nothing was exported")
-        for path in files:
-            case, fit = path.stem.split("_", 1)
-            read(path, Tables(folder, case, fit), folder)
+        for path, name in results.exported(folder, ending):
+            read(path, Tables(folder, name), folder)
             print(f"{path.name}: as in the tables")
 
 

@@ -37,6 +37,14 @@ def read_table(path):
         return list(csv.DictReader(file))
 
 
+def exported(folder, ending):
+    """Pairs of a file and what tables call it: "tension_frobenius"."""
+    files = sorted(folder.glob("export_*." + ending))
+    if not files:
+        fail("nothing was exported")
+    return [(path, path.stem[len("export_") :]) for path in files]
+
+
 def vectors(table, prefix):
     return [[float(row[prefix + axis]) for axis in "xyz"] for row in table]
 

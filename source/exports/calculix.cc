@@ -117,7 +117,16 @@ namespace springfit
     // It takes the forces of springs there by their true lengths.
     if (!scene.support.isZero(0.))
       missing.push_back("moved supports and small displacements");
+    // And in a motion.
+    if (scene.motion)
+      missing.push_back("motions and small displacements");
     return missing;
+  }
+
+  std::vector<std::string>
+  left_out_of_calculix(const ExportedScene &scene)
+  {
+    return damping(scene);
   }
 
   void
@@ -128,16 +137,15 @@ namespace springfit
       file << "** " << scene.title << "\n** ccx " << scene.name
            << "\n** Units: m, kg, s, N. Displacements are printed to "
            << scene.name << ".dat.\n";
-      if (scene.motion && (scene.motion->mass_damping > 0. ||
-                           scene.motion->stiffness_damping > 0. ||
-                           scene.motion->spring_damper > 0.))
-        file << "** Without the damping of the scene.\n";
+      for (const auto &what : left_out_of_calculix(scene))
+        file << "** Without the " << what << " of the scene.\n";
       write_nodes(scene, file);
       write_springs(scene, file);
-      file << (scene.has_true_forces ? "*STEP, NLGEOM, INC=1000000\n"
-                                     : "*STEP, INC=1000000\n");
+      file << (scene.has_true_forces ? "*STEP, NLGEOM, INC=1000000000\n"
+                                     : "*STEP, INC=1000000000\n");
       if (scene.motion)
-        file << "*DYNAMIC, DIRECT\n"
+        // Without the damping that ccx has of its own.
+        file << "*DYNAMIC, DIRECT, ALPHA=0.\n"
              << field(scene.motion->step) << ", "
              << field(scene.motion->duration) << '\n';
       else if (scene.has_true_forces)
@@ -146,7 +154,7 @@ namespace springfit
         file << "*STATIC\n";
       write_supports(scene, file);
       write_forces(scene, file);
-      file << "*NODE FILE\nU\n*NODE PRINT, NSET=ALL, FREQUENCY=1000000\nU\n"
+      file << "*NODE FILE\nU\n*NODE PRINT, NSET=ALL, FREQUENCY=1000000000\nU\n"
               "*END STEP\n";
     });
   }

@@ -69,6 +69,20 @@ namespace springfit
     return scene;
   }
 
+  unsigned long
+  n_steps(const ExportedMotion &motion, const double step)
+  {
+    return std::max(1L, std::lround(motion.duration / step));
+  }
+
+  double
+  explicit_step(const ExportedScene &scene)
+  {
+    // Angles are stiff besides.
+    const double stable = 0.5 * scene.stable_step;
+    return scene.motion ? std::min(scene.motion->step, stable) : stable;
+  }
+
   bool
   holds_whole_nodes(const ExportedScene &scene)
   {
@@ -175,6 +189,33 @@ namespace springfit
                        [&](const ExportedSpring &spring) {
                          const double l = distance_at_rest(scene, spring);
                          return std::abs(l - spring.rest_length) > 1e-9 * l;
+                       });
+  }
+
+  std::vector<std::string>
+  damping(const ExportedScene &scene)
+  {
+    if (!scene.motion)
+      return {};
+    std::vector<std::string> kinds;
+    if (scene.motion->mass_damping > 0.)
+      kinds.push_back("damping by the masses");
+    if (scene.motion->stiffness_damping > 0.)
+      kinds.push_back("damping by the stiffness");
+    if (scene.motion->spring_damper > 0.)
+      kinds.push_back("dampers of springs");
+    return kinds;
+  }
+
+  std::vector<std::string>
+  way_of_supports(const ExportedScene &scene)
+  {
+    const double way = scene.support.colwise().norm().maxCoeff();
+    return said_if_any(scene,
+                       "way of supports, which begin where they end: springs "
+                       "beside them may turn inside out",
+                       [&](const ExportedSpring &spring) {
+                         return way > 0.5 * distance_at_rest(scene, spring);
                        });
   }
 

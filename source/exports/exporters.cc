@@ -16,6 +16,12 @@ namespace springfit
   {
     const std::string springs_alone =
       "'Methods = frobenius' with 'Enrichment = none'";
+
+    std::vector<std::string>
+    nothing(const ExportedScene &)
+    {
+      return {};
+    }
   } // namespace
 
   Exporter
@@ -39,6 +45,7 @@ namespace springfit
             [sofa_version](const ExportedScene &scene) {
               return not_in_sofa(scene, sofa_version);
             },
+            way_of_supports,
             [sofa_version](const std::filesystem::path &folder,
                            const ExportedScene &scene) {
               write_sofa(folder, scene, sofa_version);
@@ -49,6 +56,7 @@ namespace springfit
                   "'Methods = frobenius' with 'Enrichment = angles'",
                   false,
                   not_in_lammps,
+                  left_out_of_lammps,
                   write_lammps};
         case ExportFormat::calculix:
           return {format,
@@ -56,6 +64,7 @@ namespace springfit
                   springs_alone,
                   true,
                   not_in_calculix,
+                  left_out_of_calculix,
                   write_calculix};
         case ExportFormat::febio:
           return {format,
@@ -64,6 +73,7 @@ namespace springfit
                   springs_alone + " and 'Nonnegative = true'",
                   false,
                   not_in_febio,
+                  nothing,
                   write_febio};
         case ExportFormat::gipsi:
           return {format,
@@ -71,6 +81,7 @@ namespace springfit
                   springs_alone,
                   false,
                   not_in_gipsi,
+                  left_out_of_gipsi,
                   write_gipsi};
         case ExportFormat::mujoco:
           return {format,
@@ -78,15 +89,15 @@ namespace springfit
                   springs_alone,
                   false,
                   not_in_mujoco,
+                  left_out_of_mujoco,
                   write_mujoco};
         case ExportFormat::numpy:
           return {format,
                   "everything",
                   "any of them",
                   false,
-                  [](const ExportedScene &) {
-                    return std::vector<std::string>();
-                  },
+                  nothing,
+                  nothing,
                   write_numpy};
       }
     throw std::logic_error("a format without an exporter");

@@ -1,6 +1,6 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/exports/febio.h>
-#include <springfit/exports/written_numbers.h>
+#include <springfit/exports/written_text.h>
 
 #include <array>
 #include <cstddef>
@@ -176,7 +176,8 @@ namespace springfit
       if (spring.k > 0.) // none is 0 there
         sets[exact(spring.k)].push_back(spring);
     write_file(folder / (scene.name + ".feb"), [&](std::ostream &file) {
-      file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " << scene.title
+      file << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- "
+           << in_comment(scene.title)
            << "; m, kg, s, N. Not run: no FEBio was at hand. The masses of "
               "the nodes have no place in the format. -->\n"
               "<febio_spec version=\"4.0\">\n  <Module type=\"solid\"/>\n";

@@ -1,6 +1,6 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/exports/gipsi.h>
-#include <springfit/exports/written_numbers.h>
+#include <springfit/exports/written_text.h>
 
 #include <ostream>
 
@@ -13,6 +13,20 @@ namespace springfit
     for (const auto &what : partly_held_nodes(scene))
       missing.push_back(what);
     return missing;
+  }
+
+  std::vector<std::string>
+  left_out_of_gipsi(const ExportedScene &scene)
+  {
+    auto left_out = way_of_supports(scene);
+    if (!nodes_with_forces(scene).empty())
+      left_out.push_back("forces of the load");
+    for (const auto &what : damping(scene))
+      if (what != "dampers of springs")
+        left_out.push_back(what);
+    if (scene.motion)
+      left_out.push_back("time step");
+    return left_out;
   }
 
   void
@@ -29,9 +43,8 @@ namespace springfit
               "# "
            << scene.title
            << "\n# m mass x y z | s i j K B L | b i (held); m, kg, s, N\n";
-      if (!nodes_with_forces(scene).empty())
-        file << "# The format has no forces: those of the load are in the "
-                "table of the load case.\n";
+      for (const auto &what : left_out_of_gipsi(scene))
+        file << "# Without the " << what << ", for which there is no place.\n";
       for (Eigen::Index node = 0; node < scene.nodes.cols(); ++node)
         file << "m " << exact(scene.mass[node]) << ' '
              << exact(Eigen::Vector3d(scene.nodes.col(node) +

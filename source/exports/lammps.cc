@@ -1,6 +1,6 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/exports/lammps.h>
-#include <springfit/exports/written_numbers.h>
+#include <springfit/exports/written_text.h>
 
 #include <algorithm>
 #include <array>
@@ -195,14 +195,16 @@ namespace springfit
                 name += axes[d];
               zeros += components[d] ? " 0" : " NULL";
             }
-          constexpr std::size_t n_in_line = 20;
-          for (std::size_t n = 0; n < nodes.size(); n += n_in_line)
+          // By runs of nodes: each is looked for among all of them.
+          for (std::size_t first = 0, last; first < nodes.size();
+               first             = last + 1)
             {
-              file << "group " << name << " id";
-              for (std::size_t m = n; m < std::min(n + n_in_line, nodes.size());
-                   ++m)
-                file << ' ' << nodes[m];
-              file << '\n';
+                          last = first;
+                          while (last + 1 < nodes.size() &&
+                     nodes[last + 1] == nodes[last] + 1)
+                ++last;
+              file << "group " << name << " id " << nodes[first] << ':'
+                               << nodes[last] << '\n';
             }
           file << "fix " << name << ' ' << name << " setforce" << zeros
                << "\nvelocity " << name << " set" << zeros << '\n';
@@ -252,17 +254,12 @@ namespace springfit
     }
 
     void
-    write_motion(const ExportedMotion &motion, std::ostream &file)
+    write_motion(const ExportedScene &scene, std::ostream &file)
     {
-      const double n_steps =
-        std::min(1e9, std::max(1., std::round(motion.duration / motion.step)));
-      file << "# Velocity Verlet, whose step must not exceed that of "
-              "stable_steps.csv.\n"
-              "fix motion all nve\n"
-              "timestep "
-           << exact(motion.step) << "\nthermo "
-           << exact(std::max(1., std::floor(n_steps / 20.))) << "\nrun "
-           << exact(n_steps) << '\n';
+      const double step     = explicit_step(scene);
+      const unsigned long n = n_steps(*scene.motion, step);
+      file << "# Velocity Verlet\nfix motion all nve\ntimestep " << exact(step)
+           << "\nthermo " << std::max(1ul, n / 20) << "\nrun " << n << '\n';
     }
 
     void
@@ -275,10 +272,8 @@ namespace springfit
       file << "# " << scene.title << "\n# lmp -in " << scene.name << ".lmp"
            << "\n# Units: m, kg, s, N. -var load 0.5 applies half of the "
               "forces.\n";
-      if (scene.motion && (scene.motion->mass_damping > 0. ||
-                           scene.motion->stiffness_damping > 0. ||
-                           scene.motion->spring_damper > 0.))
-        file << "# Without the damping of the scene, which has no fix here.\n";
+      for (const auto &what : left_out_of_lammps(scene))
+        file << "# Without the " << what << " of the scene.\n";
       file << "variable load index 1\n"
               "units si\n"
               "dimension 3\n"
@@ -306,7 +301,7 @@ namespace springfit
               "fix_modify load energy yes\n";
       write_supports(scene, file);
       if (scene.motion)
-        write_motion(*scene.motion, file);
+        write_motion(scene, file);
       else
         write_equilibrium(scale_of_forces(scene, longest), longest, file);
       file << "write_dump all custom " << scene.name
@@ -323,6 +318,17 @@ namespace springfit
                is_of_angles(kind);
       },
       scene);
+  }
+
+  std::vector<std::string>
+  left_out_of_lammps(const ExportedScene &scene)
+  {
+    auto left_out = damping(scene);
+    for (const auto &what : way_of_supports(scene))
+      left_out.push_back(what);
+    if (scene.motion && explicit_step(scene) < scene.motion->step)
+      left_out.push_back("time step, which is too large for Verlet's method");
+    return left_out;
   }
 
   void

@@ -1,6 +1,6 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/exports/mujoco.h>
-#include <springfit/exports/written_numbers.h>
+#include <springfit/exports/written_text.h>
 
 #include <algorithm>
 #include <array>
@@ -88,16 +88,30 @@ namespace springfit
       missing.push_back("damping by the stiffness");
     if (*std::min_element(scene.mass.begin(), scene.mass.end()) < least_mass)
       missing.push_back("masses below 1e-15 kg");
+    // A Jacobian of tendons has a place for every product of them (2.2.2).
+    const double n_entries =
+      3. * hookean_springs(scene).size() * scene.mass.size();
+    if (n_entries > 1.5e8)
+      missing.push_back("springs times coordinates, more than 1.5e8,");
     return missing;
+  }
+
+  std::vector<std::string>
+  left_out_of_mujoco(const ExportedScene &scene)
+  {
+    auto left_out = way_of_supports(scene);
+    if (scene.motion && explicit_step(scene) < scene.motion->step)
+      left_out.push_back(
+        "time step, which is too large for symplectic Euler's method");
+    return left_out;
   }
 
   void
   write_mujoco(const std::filesystem::path &folder, const ExportedScene &scene)
   {
-    const double step =
-      scene.motion ? scene.motion->step : 0.5 * scene.stable_step;
+    const double step = explicit_step(scene);
     write_file(folder / (scene.name + ".xml"), [&](std::ostream &file) {
-      file << "<!-- " << scene.title << "; m, kg, s, N -->\n";
+      file << "<!-- " << in_comment(scene.title) << "; m, kg, s, N -->\n";
       if (!scene.motion)
         file << "<!-- Nothing damps it: it swings about its equilibrium. Give "
                 "the tendons damping (N s/m) to let it come to rest. -->\n";

@@ -1,5 +1,6 @@
 #include <springfit/core/error.h>
 #include <springfit/exports/numpy.h>
+#include <springfit/springs/by_table.h>
 
 #include <minizip/zip.h>
 
@@ -64,6 +65,18 @@ namespace springfit
       }
 
       void
+      add(const std::string &name, const std::string &text)
+      {
+        // Four bytes a letter.
+        const std::u32string letters(text.begin(), text.end());
+        add(name,
+            "<U" + std::to_string(text.size()),
+            "",
+            letters.data(),
+            letters.size() * sizeof(char32_t));
+      }
+
+      void
       finish()
       {
         const int status = zipClose(zip_, nullptr);
@@ -84,7 +97,6 @@ namespace springfit
                          "Free space on the disk, or write elsewhere.");
       }
 
-      /** The format of an array, version 1.0 (numpy.lib.format). */
       template <typename Number>
       void
       add(const std::string &name,
@@ -95,6 +107,17 @@ namespace springfit
         std::string shape = std::to_string(numbers.size() / width) + ",";
         if (width > 1)
           shape += ' ' + std::to_string(width);
+        add(name, type, shape, numbers.data(), numbers.size() * sizeof(Number));
+      }
+
+      /** The format of an array, version 1.0 (numpy.lib.format). */
+      void
+      add(const std::string &name,
+          const std::string &type,
+          const std::string &shape,
+          const void *bytes,
+          const std::size_t n_bytes)
+      {
         std::string head = "{'descr': '" + type +
                            "', 'fortran_order': False, 'shape': (" + shape +
                            "), }";
@@ -120,8 +143,7 @@ namespace springfit
                                     0,
                                     1) == ZIP_OK);
         write("\x93NUMPY\x01" + std::string(1, '\0') + size + head);
-        const auto *bytes = reinterpret_cast<const char *>(numbers.data());
-        write(bytes, numbers.size() * sizeof(Number));
+        write(static_cast<const char *>(bytes), n_bytes);
         check(zipCloseFileInZip(zip_) == ZIP_OK);
       }
 
@@ -161,10 +183,19 @@ namespace springfit
     archive.add("held", held, 3);
     archive.add("support", scene.support);
     archive.add("forces", scene.forces);
-    for (const auto &family : scene.families)
+    if (scene.motion)
+      archive.add("motion",
+                  std::vector<double>{scene.motion->step,
+                                      scene.motion->duration,
+                                      scene.motion->mass_damping,
+                                      scene.motion->stiffness_damping,
+                                      scene.motion->spring_damper},
+                  1);
+    for (const auto &family : by_table(scene.families))
       {
         const auto &kind  = *family.kind;
         const auto &nodes = family.members.nodes;
+        archive.add(kind.word() + "_law", kind.law());
         archive.add(kind.word() + "_nodes",
                     std::vector<std::int64_t>(nodes.begin(), nodes.end()),
                     kind.n_nodes());

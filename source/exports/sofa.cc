@@ -1,6 +1,7 @@
 #include <springfit/core/atomic_file.h>
 #include <springfit/exports/sofa.h>
-#include <springfit/exports/written_numbers.h>
+#include <springfit/exports/written_text.h>
+#include <springfit/springs/volumes.h>
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,7 @@ namespace springfit
     bool
     is_of_volumes_of_tetrahedra(const SpringKind &kind)
     {
-      // Quadrilaterals have four nodes as well, but none in space.
-      return kind.word() == "volumes" && kind.n_nodes() == 4;
+      return &kind == &springfit::volumes(CellKind::tetrahedron);
     }
 
     std::vector<const Family *>
@@ -184,7 +184,7 @@ namespace springfit
     const ExportedMotion motion =
       scene.motion.value_or(ExportedMotion{0.01, 0., 0.1, 0.1, 0.});
     write_file(folder / (scene.name + ".scn"), [&](std::ostream &file) {
-      file << "<?xml version=\"1.0\"?>\n<!-- " << scene.title
+      file << "<?xml version=\"1.0\"?>\n<!-- " << in_comment(scene.title)
            << "; m, kg, s, N. For SOFA "
            << word_of(sofa_version_words(), version)
            << " or later; not run: no SOFA was at hand. -->\n"

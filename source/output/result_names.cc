@@ -36,8 +36,7 @@ namespace springfit
     const std::regex results(
       "checkpoint\\.bin|recommended\\.prm|tradeoff\\.(csv|md|gp|svg|png)|stability(_boundaries)?\\.(csv|md|gp)|stability_[A-Za-z_]+\\.svg|stability\\.unfinished|(stable_steps|comparison|dynamics|adapt|models_of_cells|reactions|fit|families|sets|nodes|cells|sweep|(" +
       words_of_kinds() + ")_.*|.+_(" + alternatives(models) +
-      ")(_.*)?)\\.csv|(.+_)?(adapted|" + alternatives(models) +
-      ")(_.*)?\\.(scn|lmp|data|inp|feb|msd|xml|npz)|.*\\.vtu|.*\\.pvd");
+      ")(_.*)?)\\.csv|export_.+\\.(scn|lmp|data|inp|feb|msd|xml|npz)|.*\\.vtu|.*\\.pvd");
     return std::regex_match(name, results);
   }
 } // namespace springfit

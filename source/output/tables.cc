@@ -1,5 +1,6 @@
 #include <springfit/output/csv.h>
 #include <springfit/output/tables.h>
+#include <springfit/springs/by_table.h>
 
 #include <cstddef>
 #include <set>
@@ -199,7 +200,7 @@ namespace springfit
                 const std::string &name,
                 const SpringNetwork &network)
   {
-    for (const auto &family : network.families)
+    for (const auto &family : by_table(network.families))
       table_of(family).write(folder / file_of(family, name));
   }
 
@@ -210,7 +211,7 @@ namespace springfit
     CsvTable table("fit,file,family,law,n_members,n_nodes_of_member,column,"
                    "meaning,unit,numbers_of_member");
     for (const auto &[name, network] : networks)
-      for (const auto &family : network->families)
+      for (const auto &family : by_table(network->families))
         for (const auto &column : family.kind->columns())
           {
             table.new_row();

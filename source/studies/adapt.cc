@@ -82,6 +82,12 @@ namespace springfit
         return mixed_;
       }
 
+      Kinematics
+      kinematics() const
+      {
+        return kinematics_;
+      }
+
       unsigned int
       n_models() const
       {
@@ -380,29 +386,6 @@ namespace springfit
                    "elements = true' in section Adapt there is an exact "
                    "model.");
 
-    std::vector<ExportedScene> exports;
-    for (const auto &load_case : loading.cases)
-      {
-        exports.push_back(exported(adaptation.mixed().network(models),
-                                   load_case.name + "_adapted",
-                                   loading.held,
-                                   load_case.load));
-        exports.back().title =
-          "springfit's network adapted, load case " + load_case.name;
-      }
-    const auto wanted = exporters(scene.output);
-    if (settings.has_finite_elements && rows.back().n_cells.back() > 0)
-      {
-        if (!wanted.empty())
-          session.warn("Nothing is exported: " +
-                       std::to_string(rows.back().n_cells.back()) +
-                       " cells are finite elements, which no program takes "
-                       "for springs. Set 'Finite elements = false' in section "
-                       "Adapt.");
-        exports.clear();
-      }
-    check_exports(wanted, exports, session);
-
     dealii::TimerOutput::Scope scope(session.timer(), "Output");
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.draft();
@@ -428,7 +411,20 @@ namespace springfit
                           {"error_percent", contributions}});
         }
     });
-    write_exports(wanted, {Kinematics::nonlinear}, exports, session);
+    if (settings.has_finite_elements && rows.back().n_cells.back() > 0)
+      session.skip("Exports",
+                   std::to_string(rows.back().n_cells.back()) +
+                     " cells are finite elements, which no program takes for "
+                     "springs; 'Finite elements = false' in section Adapt");
+    else if (const auto wanted = exporters(scene.output); !wanted.empty())
+      {
+        const auto network = adaptation.mixed().network(models);
+        std::vector<ExportedScene> scenes;
+        for (const auto &load_case : loading.cases)
+          scenes.push_back(
+            scene_of_network(network, "adapted", loading.held, load_case));
+        write_exports(wanted, {adaptation.kinematics()}, scenes, session);
+      }
     session.say_at_the_end("adapt.csv is the table above; colour *_adapted.vtu "
                            "by model in ParaView.");
   }

@@ -173,7 +173,7 @@ namespace springfit
     auto calibrated    = make_scene<dim, spacedim>(scene, session);
     const auto loading = loading_of(scene, calibrated, session);
     calibrate_scene(scene, calibrated, loading.held, {}, session);
-    check_exports(scene, calibrated, loading.held, session);
+    check_moving_exports(scene, calibrated, loading.held);
     write_moving_exports(scene, calibrated, loading, session);
     const Interruption interruption;
     const auto identity =

@@ -6,46 +6,125 @@
 #include <springfit/studies/moving_models.h>
 #include <springfit/studies/network_exports.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace springfit
 {
   namespace
   {
-    ExportedScene
-    scene_of_network(const CalibratedNetwork &calibrated,
-                     const std::string &load_case,
-                     const std::vector<bool> &held,
-                     const NodalLoad &load)
+    /** A flag per node: all of its components are held. */
+    std::vector<bool>
+    held_nodes(const std::vector<bool> &held, const Eigen::Index dim)
     {
-      const std::string prefix = load_case.empty() ? "" : load_case + '_';
-      auto scene =
-        exported(calibrated.network, prefix + calibrated.name, held, load);
-      scene.title = "springfit's network " + calibrated.name +
-                    (load_case.empty() ? "" : ", load case " + load_case);
-      const double bound = spring_bound_of_step(calibrated.network, held);
-      if (std::isfinite(bound))
-        scene.stable_step = bound;
-      return scene;
+      std::vector<bool> nodes(held.size() / dim);
+      for (std::size_t v = 0; v < nodes.size(); ++v)
+        nodes[v] = std::all_of(held.begin() + dim * v,
+                               held.begin() + dim * (v + 1),
+                               [](const bool is_held) { return is_held; });
+      return nodes;
     }
 
-    ExportedScene
-    at_rest(ExportedScene scene)
+    template <int dim>
+    ExportedMotion
+    motion_of(const DynamicsSettings<dim> &settings, const double stable_step)
     {
-      scene.forces.setZero();
-      scene.support.setZero();
-      scene.has_true_forces = true;
-      scene.motion.reset();
-      return scene;
+      return {settings.step > 0. ? settings.step : 0.5 * stable_step,
+              settings.end - settings.begin,
+              settings.damping.mass_factor,
+              settings.damping.stiffness_factor,
+              settings.spring_damper};
+    }
+
+    /** As a program is given it: with each kinematics, if it knows both. */
+    std::vector<ExportedScene>
+    in_kinematics(const ExportedScene &scene,
+                  const Exporter &exporter,
+                  const std::vector<Kinematics> &kinematics)
+    {
+      if (!exporter.knows_small_displacements)
+        return {scene};
+      std::vector<ExportedScene> scenes;
+      for (const Kinematics of_springs : kinematics)
+        {
+          scenes.push_back(scene);
+          scenes.back().name += suffix_of(of_springs);
+          scenes.back().has_true_forces = of_springs == Kinematics::nonlinear;
+        }
+      return scenes;
     }
 
     std::string
-    refusal(const Exporter &exporter,
-            const std::vector<std::string> &missing,
-            const std::string &name)
+    word_of_format(const Exporter &exporter)
     {
-      return "'" + word_of(export_format_words(), exporter.format) +
-             "' cannot hold the " + join(missing) + " of '" + name + "'.";
+      return "'" + word_of(export_format_words(), exporter.format) + "'";
+    }
+
+    std::string
+    refusal(const Exporter &exporter, const ExportedScene &scene)
+    {
+      return word_of_format(exporter) + " cannot hold the " +
+             join(exporter.missing(scene)) + " of '" + scene.network + "'.";
+    }
+
+    /** @throws EntryError when a format can hold none of the scenes. */
+    void
+    check(const std::vector<Exporter> &exporters,
+          const std::vector<Kinematics> &kinematics,
+          const std::vector<ExportedScene> &scenes)
+    {
+      for (const auto &exporter : exporters)
+        {
+          std::string reason;
+          bool is_held = false;
+          for (const auto &of_network : scenes)
+            for (const auto &scene :
+                 in_kinematics(of_network, exporter, kinematics))
+              if (exporter.missing(scene).empty())
+                is_held = true;
+              else if (reason.empty())
+                reason = refusal(exporter, scene);
+          if (!is_held)
+            throw EntryError("Output/Export",
+                             reason,
+                             "It holds " + exporter.holds +
+                               ": set in section Fit " + exporter.best +
+                               ", or export to numpy, which holds everything.");
+        }
+    }
+
+    template <int dim, int spacedim>
+    std::vector<ExportedScene>
+    scenes_without_load(const CalibratedScene<dim, spacedim> &calibrated,
+                        const std::vector<bool> &held)
+    {
+      std::vector<ExportedScene> scenes;
+      for (const auto &network : calibrated.networks)
+        {
+          LoadCase none;
+          none.load = load_of_forces(0. * network.network.nodes);
+          scenes.push_back(
+            scene_of_network(network.network, network.name, held, none));
+        }
+      return scenes;
+    }
+
+    /** At so many times, whatever happens between them. */
+    template <int dim>
+    bool
+    changes(const Excitation &excitation, const DynamicsSettings<dim> &settings)
+    {
+      constexpr int n_times = 200;
+      const auto first      = excitation.load(settings.begin);
+      for (int i = 1; i <= n_times; ++i)
+        {
+          const auto load = excitation.load(
+            settings.begin + i * (settings.end - settings.begin) / n_times);
+          if (load.forces != first.forces || load.support != first.support)
+            return true;
+        }
+      return false;
     }
   } // namespace
 
@@ -59,46 +138,55 @@ namespace springfit
     return all;
   }
 
-  void
-  check_exports(const std::vector<Exporter> &exporters,
-                const std::vector<ExportedScene> &scenes,
-                Session &session)
+  ExportedScene
+  scene_of_network(const SpringNetwork &network,
+                   const std::string &name,
+                   const std::vector<bool> &held,
+                   const LoadCase &load_case)
   {
-    for (const auto &exporter : exporters)
-      {
-        std::vector<std::string> refusals;
-        for (const auto &scene : scenes)
-          {
-            const auto missing = exporter.missing(scene);
-            if (!missing.empty())
-              refusals.push_back(refusal(exporter, missing, scene.name));
-          }
-        if (!refusals.empty() && refusals.size() == scenes.size())
-          throw EntryError("Output/Export",
-                           refusals.front(),
-                           "It holds " + exporter.holds +
-                             ": set in section Fit " + exporter.best +
-                             ", or export to numpy, which holds everything.");
-        for (const auto &text : refusals)
-          session.warn(text + " It is not exported there.");
-      }
+    const std::string &of_case = load_case.name;
+    auto scene =
+      exported(network,
+               "export_" + (of_case.empty() ? "" : of_case + '_') + name,
+               held,
+               load_case.load);
+    scene.network = name;
+    scene.title   = "springfit's network " + name +
+                  (of_case.empty() ? "" : ", load case " + of_case);
+    const double bound =
+      spring_bound_of_step(network, held_nodes(held, network.nodes.rows()));
+    if (std::isfinite(bound))
+      scene.stable_step = bound;
+    return scene;
   }
 
   template <int dim, int spacedim>
   void
   check_exports(const Scene<spacedim> &scene,
                 const CalibratedScene<dim, spacedim> &calibrated,
-                const std::vector<bool> &held,
-                Session &session)
+                const std::vector<bool> &held)
+  {
+    const auto wanted = exporters(scene.output);
+    if (!wanted.empty())
+      check(wanted,
+            scene.statics.kinematics(),
+            scenes_without_load(calibrated, held));
+  }
+
+  template <int dim, int spacedim>
+  void
+  check_moving_exports(const Scene<spacedim> &scene,
+                       const CalibratedScene<dim, spacedim> &calibrated,
+                       const std::vector<bool> &held)
   {
     const auto wanted = exporters(scene.output);
     if (wanted.empty())
       return;
-    std::vector<ExportedScene> scenes;
-    for (const auto &network : calibrated.networks)
-      scenes.push_back(scene_of_network(
-        network, "", held, load_of_forces(0. * network.network.nodes)));
-    check_exports(wanted, scenes, session);
+    auto scenes = scenes_without_load(calibrated, held);
+    for (auto &of_network : scenes)
+      of_network.motion =
+        motion_of(scene.dynamics.settings(), of_network.stable_step);
+    check(wanted, scene.statics.kinematics(), scenes);
   }
 
   void
@@ -111,29 +199,27 @@ namespace springfit
       return;
     dealii::TimerOutput::Scope scope(session.timer(), "Exports");
     run_on_root(session.communicator(), [&]() {
-      const auto write = [&](const Exporter &exporter,
-                             const ExportedScene &scene) {
-        const auto missing = exporter.missing(scene);
-        if (missing.empty())
-          exporter.write(session.draft(), scene);
-        else if (exporter.missing(at_rest(scene)).empty())
-          // Else it has been said of the network.
-          session.warn(refusal(exporter, missing, scene.name) +
-                       " It is not exported there.");
+      // Once for all load cases.
+      std::set<std::string> warnings;
+      const auto warn = [&](const std::string &text) {
+        if (warnings.insert(text).second)
+          session.warn(text);
       };
       for (const auto &exporter : exporters)
-        for (const auto &scene : scenes)
-          if (!exporter.knows_small_displacements)
-            write(exporter, scene);
-          else
-            for (const auto of_springs : kinematics)
-              {
-                auto of_kinematics = scene;
-                of_kinematics.name += suffix_of(of_springs);
-                of_kinematics.has_true_forces =
-                  of_springs == Kinematics::nonlinear;
-                write(exporter, of_kinematics);
-              }
+        for (const auto &of_network : scenes)
+          for (const auto &scene :
+               in_kinematics(of_network, exporter, kinematics))
+            {
+              if (!exporter.missing(scene).empty())
+                {
+                  warn(refusal(exporter, scene) + " It is not exported there.");
+                  continue;
+                }
+              exporter.write(session.draft(), scene);
+              for (const auto &what : exporter.left_out(scene))
+                warn(word_of_format(exporter) + " leaves out the " + what +
+                     '.');
+            }
     });
   }
 
@@ -143,13 +229,14 @@ namespace springfit
                 const CalibratedScene<dim, spacedim> &calibrated,
                 Session &session)
   {
-    const auto &nodes = calibrated.networks.front().network.nodes;
-    LoadCase none;
-    none.load = load_of_forces(0. * nodes);
-    write_exports(scene,
-                  calibrated,
-                  std::vector<bool>(nodes.size(), false),
-                  {none},
+    const auto wanted = exporters(scene.output);
+    if (wanted.empty())
+      return;
+    const std::vector<bool> free(
+      calibrated.networks.front().network.nodes.size(), false);
+    write_exports(wanted,
+                  scene.statics.kinematics(),
+                  scenes_without_load(calibrated, free),
                   session);
   }
 
@@ -161,14 +248,15 @@ namespace springfit
                 const std::vector<LoadCase> &cases,
                 Session &session)
   {
-    // One at a time: each has a copy of the springs.
+    const auto wanted = exporters(scene.output);
+    if (wanted.empty())
+      return;
+    std::vector<ExportedScene> scenes;
     for (const auto &load_case : cases)
       for (const auto &network : calibrated.networks)
-        write_exports(
-          exporters(scene.output),
-          scene.statics.kinematics(),
-          {scene_of_network(network, load_case.name, held, load_case.load)},
-          session);
+        scenes.push_back(
+          scene_of_network(network.network, network.name, held, load_case));
+    write_exports(wanted, scene.statics.kinematics(), scenes, session);
   }
 
   template <int dim, int spacedim>
@@ -178,36 +266,29 @@ namespace springfit
                        const Loading &loading,
                        Session &session)
   {
-    const auto wanted   = exporters(scene.output);
-    const auto settings = scene.dynamics.settings();
+    const auto wanted = exporters(scene.output);
     if (wanted.empty())
       return;
-    bool changes = false;
+    const auto settings = scene.dynamics.settings();
+    std::vector<ExportedScene> scenes;
+    bool has_changes = false;
     for (const auto &load_case : loading.cases)
       {
         const auto excitation =
           make_excitation(scene, calibrated, loading, load_case, settings);
-        const auto load = excitation.load(settings.begin);
-        const auto last = excitation.load(settings.end);
-        changes |= load.forces != last.forces || load.support != last.support;
+        has_changes       = has_changes || changes(excitation, settings);
+        LoadCase at_first = load_case;
+        at_first.load     = excitation.load(settings.begin);
         for (const auto &network : calibrated.networks)
           {
-            auto exported =
-              scene_of_network(network, load_case.name, loading.held, load);
-            const double step =
-              settings.step > 0. ? settings.step : 0.9 * exported.stable_step;
-            exported.motion = ExportedMotion{step,
-                                             settings.end - settings.begin,
-                                             settings.damping.mass_factor,
-                                             settings.damping.stiffness_factor,
-                                             settings.spring_damper};
-            write_exports(wanted,
-                          scene.statics.kinematics(),
-                          {exported},
-                          session);
+            scenes.push_back(scene_of_network(
+              network.network, network.name, loading.held, at_first));
+            scenes.back().motion =
+              motion_of(settings, scenes.back().stable_step);
           }
       }
-    if (changes)
+    write_exports(wanted, scene.statics.kinematics(), scenes, session);
+    if (has_changes)
       session.warn("The loads change over time: exported scenes have those at "
                    "the beginning.");
     if (!scene.contact.obstacles().empty())
@@ -223,39 +304,16 @@ namespace springfit
   template void
   check_exports(const Scene<2> &,
                 const CalibratedScene<2> &,
-                const std::vector<bool> &,
-                Session &);
+                const std::vector<bool> &);
+  template void
+  check_moving_exports(const Scene<2> &,
+                       const CalibratedScene<2> &,
+                       const std::vector<bool> &);
   template void
   write_exports(const Scene<2> &, const CalibratedScene<2> &, Session &);
   template void
-  check_exports(const Scene<3> &,
-                const CalibratedScene<2, 3> &,
-                const std::vector<bool> &,
-                Session &);
-  template void
-  write_exports(const Scene<3> &, const CalibratedScene<2, 3> &, Session &);
-  template void
-  check_exports(const Scene<3> &,
-                const CalibratedScene<3> &,
-                const std::vector<bool> &,
-                Session &);
-  template void
-  write_exports(const Scene<3> &, const CalibratedScene<3> &, Session &);
-  template void
   write_exports(const Scene<2> &,
                 const CalibratedScene<2> &,
-                const std::vector<bool> &,
-                const std::vector<LoadCase> &,
-                Session &);
-  template void
-  write_exports(const Scene<3> &,
-                const CalibratedScene<2, 3> &,
-                const std::vector<bool> &,
-                const std::vector<LoadCase> &,
-                Session &);
-  template void
-  write_exports(const Scene<3> &,
-                const CalibratedScene<3> &,
                 const std::vector<bool> &,
                 const std::vector<LoadCase> &,
                 Session &);
@@ -265,10 +323,42 @@ namespace springfit
                        const Loading &,
                        Session &);
   template void
+  check_exports(const Scene<3> &,
+                const CalibratedScene<2, 3> &,
+                const std::vector<bool> &);
+  template void
+  check_moving_exports(const Scene<3> &,
+                       const CalibratedScene<2, 3> &,
+                       const std::vector<bool> &);
+  template void
+  write_exports(const Scene<3> &, const CalibratedScene<2, 3> &, Session &);
+  template void
+  write_exports(const Scene<3> &,
+                const CalibratedScene<2, 3> &,
+                const std::vector<bool> &,
+                const std::vector<LoadCase> &,
+                Session &);
+  template void
   write_moving_exports(const Scene<3> &,
                        const CalibratedScene<2, 3> &,
                        const Loading &,
                        Session &);
+  template void
+  check_exports(const Scene<3> &,
+                const CalibratedScene<3> &,
+                const std::vector<bool> &);
+  template void
+  check_moving_exports(const Scene<3> &,
+                       const CalibratedScene<3> &,
+                       const std::vector<bool> &);
+  template void
+  write_exports(const Scene<3> &, const CalibratedScene<3> &, Session &);
+  template void
+  write_exports(const Scene<3> &,
+                const CalibratedScene<3> &,
+                const std::vector<bool> &,
+                const std::vector<LoadCase> &,
+                Session &);
   template void
   write_moving_exports(const Scene<3> &,
                        const CalibratedScene<3> &,

@@ -39,6 +39,8 @@ SCENES = [
     (2, "quadrilaterals", [*PLATE, *EXACT, "Fit/Enrichment=point volumes"], "stable_neo_hookean_point_volumes"),
     (2, "quadrilaterals", [*PLATE, *EXACT, "Fit/Enrichment=volume", *LOGARITHMIC, "Material/Plane state=strain"], "stable_neo_hookean_volume"),
     (2, "triangles", [*PLATE, *EXACT, "Fit/Enrichment=volume", *LOGARITHMIC, "Material/Plane state=stress"], "stable_neo_hookean_volume"),
+    (2, "quadrilaterals", [*PLATE, *EXACT, "Fit/Enrichment=point volumes", *LOGARITHMIC, "Material/Plane state=stress"], "stable_neo_hookean_point_volumes"),
+    (3, "triangles", [*PLATE, "Geometry/Jitter=0", *EXACT, *LOGARITHMIC, "Fit/Enrichment=volume", "Loads/Supports=x min; where x > -1: z"], "stable_neo_hookean_volume"),
     (3, "triangles", [*PLATE, "Geometry/Jitter=0", *EXACT, "Fit/Enrichment=volume", "Loads/Supports=x min; where x > -1: z"], "stable_neo_hookean_volume"),
 ]
 
@@ -61,4 +63,5 @@ assert {("springs", "quadratic"), ("springs", "biquadratic"), ("couplings", "qua
         ("couplings", "biquadratic"), ("angles", "quadratic"), ("volumes", "quadratic"),
         ("logarithmic_volumes", "logarithmic"), ("point_volumes", "quadratic"),
         ("logarithmic_point_volumes", "logarithmic"),
-        ("logarithmic_plane_stress_volumes", "logarithmic plane stress")} <= families, families
+        ("logarithmic_plane_stress_volumes", "logarithmic plane stress"),
+        ("logarithmic_plane_stress_point_volumes", "logarithmic plane stress")} <= families, families

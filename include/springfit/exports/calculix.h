@@ -16,6 +16,10 @@ namespace springfit
   std::vector<std::string>
   not_in_calculix(const ExportedScene &scene);
 
+  /** What of it is left out: the same. */
+  std::vector<std::string>
+  left_out_of_calculix(const ExportedScene &scene);
+
   /**
    * <name>.inp: an equilibrium with or without NLGEOM, or a motion by
    * *DYNAMIC, whose displacements are printed to <name>.dat.

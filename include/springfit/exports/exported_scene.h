@@ -30,8 +30,9 @@ namespace springfit
    */
   struct ExportedScene
   {
-    std::string name;  // of its files, without an ending
-    std::string title; // what it is, one line
+    std::string name;    // of its files, without an ending
+    std::string title;   // what it is, one line
+    std::string network; // what springfit's tables call the network
 
     Eigen::Matrix3Xd nodes;   // at rest, m
     Eigen::Matrix3Xd forces;  // N
@@ -52,6 +53,14 @@ namespace springfit
     /** Empty: an equilibrium is wanted. */
     std::optional<ExportedMotion> motion;
   };
+
+  /** The number of its steps, at least one. */
+  unsigned long
+  n_steps(const ExportedMotion &motion, double step);
+
+  /** That of the motion, or less, as explicit methods bear it, s. */
+  double
+  explicit_step(const ExportedScene &scene);
 
   /**
    * A network that nothing holds and nothing loads.
@@ -120,6 +129,19 @@ namespace springfit
   /** "nodes held in some of their components", if there are any. */
   std::vector<std::string>
   partly_held_nodes(const ExportedScene &scene);
+
+  // And what it may leave out of a scene that it holds.
+
+  /** "damping of motions", ...: of whatever kind, if there is any. */
+  std::vector<std::string>
+  damping(const ExportedScene &scene);
+
+  /**
+   * Where supports are moved at once, and by more than half of the shortest
+   * spring: "the way of supports, ...".
+   */
+  std::vector<std::string>
+  way_of_supports(const ExportedScene &scene);
 } // namespace springfit
 
 #endif

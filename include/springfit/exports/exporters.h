@@ -28,6 +28,9 @@ namespace springfit
     /** What of a scene it cannot hold, as parts of a sentence. */
     std::function<std::vector<std::string>(const ExportedScene &)> missing;
 
+    /** What of a scene it leaves out, the same. */
+    std::function<std::vector<std::string>(const ExportedScene &)> left_out;
+
     /** @throws RunError when a file cannot be written. */
     std::function<void(const std::filesystem::path &folder,
                        const ExportedScene &)>

@@ -16,6 +16,10 @@ namespace springfit
   std::vector<std::string>
   not_in_gipsi(const ExportedScene &scene);
 
+  /** What of it is left out: the same. */
+  std::vector<std::string>
+  left_out_of_gipsi(const ExportedScene &scene);
+
   /**
    * <name>.msd
    *

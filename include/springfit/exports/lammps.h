@@ -17,6 +17,10 @@ namespace springfit
   std::vector<std::string>
   not_in_lammps(const ExportedScene &scene);
 
+  /** What of it is left out: the same. */
+  std::vector<std::string>
+  left_out_of_lammps(const ExportedScene &scene);
+
   /**
    * <name>.data with nodes and springs, <name>.lmp with what is held, the
    * forces, and a minimisation or a motion, which writes the places of the

@@ -16,6 +16,10 @@ namespace springfit
   std::vector<std::string>
   not_in_mujoco(const ExportedScene &scene);
 
+  /** What of it is left out: the same. */
+  std::vector<std::string>
+  left_out_of_mujoco(const ExportedScene &scene);
+
   /**
    * <name>.xml (MJCF), moving by symplectic Euler.
    *

@@ -9,9 +9,10 @@ namespace springfit
 {
   /**
    * <name>.npz, which numpy.load() reads: nodes, support and forces (n x 3),
-   * held (n x 3, 0 or 1), mass (n), and for each family <word>_nodes (m x nodes
-   * of a member) and its columns <word>_<column> (m, or m x width). Every
-   * network can be held.
+   * held (n x 3, 0 or 1), mass (n), and for each family <word>_law,
+   * <word>_nodes (m x nodes of a member) and its columns <word>_<column> (m, or
+   * m x width); of a motion its numbers (see ExportedMotion). Every network can
+   * be held.
    *
    * @throws RunError when the file cannot be written.
    */

@@ -4,9 +4,11 @@
 #include <springfit/core/session.h>
 #include <springfit/exports/exporters.h>
 #include <springfit/response/load_case.h>
+#include <springfit/response/statics.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/scene.h>
 
+#include <string>
 #include <vector>
 
 namespace springfit
@@ -17,35 +19,39 @@ namespace springfit
   std::vector<Exporter>
   exporters(const OutputSection<dim> &output);
 
-  /**
-   * Warn of each of the scenes, one for each network, that a format cannot
-   * hold.
-   *
-   * @throws EntryError when a format can hold none of them.
-   */
-  void
-  check_exports(const std::vector<Exporter> &exporters,
-                const std::vector<ExportedScene> &scenes,
-                Session &session);
+  /** A network under a load, called export_<case>_<name>. */
+  ExportedScene
+  scene_of_network(const SpringNetwork &network,
+                   const std::string &name,
+                   const std::vector<bool> &held,
+                   const LoadCase &load_case);
 
   /**
-   * The same of the networks of a scene.
+   * Before the networks are put to use.
    *
    * @param held a flag per unknown, see Loading
+   * @throws EntryError when a format can hold none of them.
    */
   template <int dim, int spacedim>
   void
   check_exports(const Scene<spacedim> &scene,
                 const CalibratedScene<dim, spacedim> &calibrated,
-                const std::vector<bool> &held,
-                Session &session);
+                const std::vector<bool> &held);
 
-  // Writing, by the first rank; all must call it. @throws RunError when a file
-  // cannot be written.
+  /** The same of networks that will move. */
+  template <int dim, int spacedim>
+  void
+  check_moving_exports(const Scene<spacedim> &scene,
+                       const CalibratedScene<dim, spacedim> &calibrated,
+                       const std::vector<bool> &held);
+
+  // Writing, by the first rank; all must call it. Warnings say what a program
+  // cannot hold, and what it leaves out of what it can. @throws RunError when
+  // a file cannot be written.
 
   /**
-   * A scene for every program that can hold it, in the kinematics of the
-   * comparison where the program knows both.
+   * For every program that can hold them, in the kinematics of the comparison
+   * where the program knows both.
    */
   void
   write_exports(const std::vector<Exporter> &exporters,
@@ -53,14 +59,14 @@ namespace springfit
                 const std::vector<ExportedScene> &scenes,
                 Session &session);
 
-  /** All networks at rest, called <fit>. */
+  /** All networks at rest. */
   template <int dim, int spacedim>
   void
   write_exports(const Scene<spacedim> &scene,
                 const CalibratedScene<dim, spacedim> &calibrated,
                 Session &session);
 
-  /** All networks under all loads, called <case>_<fit>. */
+  /** All networks under all loads. */
   template <int dim, int spacedim>
   void
   write_exports(const Scene<spacedim> &scene,

@@ -1,6 +1,7 @@
-#include <springfit/exports/written_numbers.h>
+#include <springfit/exports/written_text.h>
 
 #include <charconv>
+#include <cstddef>
 
 namespace springfit
 {
@@ -23,5 +24,14 @@ namespace springfit
   {
     return exact(vector[0]) + separator + exact(vector[1]) + separator +
            exact(vector[2]);
+  }
+
+  std::string
+  in_comment(std::string text)
+  {
+    for (std::size_t i = text.find("--"); i != std::string::npos;
+         i             = text.find("--", i))
+      text.insert(i + 1, " ");
+    return text;
   }
 } // namespace springfit

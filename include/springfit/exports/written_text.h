@@ -1,5 +1,5 @@
-#ifndef springfit_exports_written_numbers_h
-#define springfit_exports_written_numbers_h
+#ifndef springfit_exports_written_text_h
+#define springfit_exports_written_text_h
 
 #include <Eigen/Core>
 
@@ -18,6 +18,10 @@ namespace springfit
   /** With @p separator between them. */
   std::string
   exact(const Eigen::Vector3d &vector, const std::string &separator);
+
+  /** A text for a comment of XML, which must not have two hyphens in a row. */
+  std::string
+  in_comment(std::string text);
 } // namespace springfit
 
 #endif
