@@ -20,7 +20,7 @@ finite elements, and measures how close. Scenes to begin with are in
 # dpkg-shlibdeps; mpirun and a quick BLAS besides.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "openmpi-bin, libopenblas0-serial")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot, paraview")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot, paraview, python3-numpy")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libspringfit-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -13,11 +13,9 @@ install(FILES README.md CITATION.cff
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE RENAME copyright
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(PROGRAMS examples/read_network.py
-  DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT program)
-install(DIRECTORY doc
+install(DIRECTORY doc examples
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program
-  PATTERN changelog EXCLUDE)
+  USE_SOURCE_PERMISSIONS PATTERN changelog EXCLUDE)
 
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/springfit)
 install(TARGETS springfit_library EXPORT springfitTargets COMPONENT development)
