@@ -2,9 +2,12 @@
 
 #include <springfit/output/result_names.h>
 #include <springfit/output/tables.h>
+#include <springfit/springs/by_table.h>
 #include <springfit/springs/cell_topology.h>
+#include <springfit/springs/lengths.h>
 #include <springfit/springs/network.h>
 #include <springfit/springs/rest_families.h>
+#include <springfit/springs/zero_lengths.h>
 
 #include <gtest/gtest.h>
 
@@ -115,6 +118,10 @@ namespace
     for (const std::string name : {"angles_f.csv",
                                    "comparison.csv",
                                    "couplings_f.csv",
+                                   "export_tension_frobenius.inp",
+                                   "export_a_b_c_nonlinear.npz",
+                                   "families.csv",
+                                   "sets.csv",
                                    "fem.pvd",
                                    "my_load_frobenius_volume_nonlinear.csv",
                                    "nodes.csv",
@@ -128,10 +135,29 @@ namespace
       EXPECT_TRUE(is_result(name, models)) << name;
     for (const std::string name : {"angles.csv",
                                    "comparison.csv.part",
+                                   "export.inp",
+                                   "motor_frobenius.inp",
                                    "log.txt",
                                    "my_nodes.csv",
                                    "notes.txt",
                                    "used.prm"})
       EXPECT_FALSE(is_result(name, models)) << name;
+  }
+
+  TEST(ByTable, LengthsAndZeroLengthsAreOne)
+  {
+    Family springs(lengths(3, SpringLaw::quadratic));
+    Family zero(zero_lengths(3));
+    Family other(lengths(3, SpringLaw::biquadratic));
+    springs.add({0, 1}, {{2.}, {1.}});
+    zero.add({1, 2}, {{3.}, {0.}});
+    other.add({0, 2}, {{4.}, {1.}});
+    const auto tables = by_table({springs, other, zero});
+    ASSERT_EQ(tables.size(), 2u);
+    EXPECT_EQ(tables[0].members.nodes,
+              (std::vector<unsigned int>{0, 1, 1, 2}));
+    EXPECT_EQ(tables[0].members.columns,
+              (std::vector<std::vector<double>>{{2., 3.}, {1., 0.}}));
+    EXPECT_EQ(tables[1].members.nodes, other.members.nodes);
   }
 } // namespace
