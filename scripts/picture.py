@@ -17,28 +17,31 @@
 #
 # A .gif or .mp4 is made by ffmpeg; any other name is a folder for the frames as
 # PNG. Debian's packages: apt-get install paraview python3-paraview, ffmpeg for a
-# movie; on a machine without a screen xvfb too, and xvfb-run -a pvbatch ...
-import itertools
+# movie; on a machine without a screen xvfb too, and xvfb-run -a -s -noreset pvbatch ...
 import pathlib
 import subprocess
 import sys
 import tempfile
 
 try:
+    import numpy
+    from paraview import servermanager
     from paraview.simple import *
+    from vtkmodules.util.numpy_support import vtk_to_numpy
 except ImportError:
     sys.exit("picture.py: ParaView is missing. Install it: "
              "apt-get install paraview python3-paraview xvfb\n"
-             "Then: xvfb-run -a pvbatch scripts/picture.py ...")
+             "Then: xvfb-run -a -s -noreset pvbatch scripts/picture.py ...")
 
 usage = """usage: pvbatch scripts/picture.py FOLDER CASE FIT PICTURE.png [TIMES], such as
          output/cube torsion spectral cube.png 3
 or     pvbatch scripts/picture.py --network FOLDER/springs_FIT.vtu PICTURE.png
 or     pvbatch scripts/picture.py --movie SERIES.pvd MOVIE.gif
-Without a screen: xvfb-run -a pvbatch ...; Debian's packages are paraview, python3-paraview,
-xvfb, and ffmpeg for movies."""
+Without a screen: xvfb-run -a -s -noreset pvbatch ...
+Debian's packages are paraview, python3-paraview, xvfb, and ffmpeg for movies."""
 
-BAR, TITLE = 0.2, 0.08  # parts of a view's height
+UNITS = {"displacement": "m", "error": "m", "k": "N/m"}
+BAR, TITLE = 0.2, 0.12  # parts of a view's height
 
 
 def coloured(source, data, array, title, view, representation, value_range=None):
@@ -66,8 +69,8 @@ def coloured(source, data, array, title, view, representation, value_range=None)
     bar.TitleFontSize = bar.LabelFontSize = 18
     bar.Orientation, bar.WindowLocation = "Horizontal", "Lower Center"
     bar.ScalarBarLength = 0.7
-    bar.AutomaticLabelFormat, bar.LabelFormat = 0, "%-#.2g"
-    bar.RangeLabelFormat = "%-#.2g"
+    bar.AutomaticLabelFormat, bar.LabelFormat = 0, "%.3g"
+    bar.RangeLabelFormat = "%.3g"
     bar.UseCustomLabels = 1
     bar.CustomLabels = [(low + high) / 2]
     display.SetScalarBarVisibility(view, True)
@@ -87,42 +90,37 @@ def written(text, view):
     display.WindowLocation = "Upper Center"
 
 
-def look_at(view, box, width, height):
-    """Put a box between the bar and the title of a view of this size: a plane from above,
-    anything else from the front, somewhat aside."""
-    def unit(a):
-        return [x / sum(y * y for y in a) ** 0.5 for x in a]
+def axes_of_view(is_plane):
+    """To the right, up and towards the eye: a plane is seen from above, anything else from
+    the front, somewhat aside."""
+    if is_plane:
+        return numpy.eye(3)
+    towards = numpy.array([2.4, -2.2, 1.5]) / numpy.linalg.norm([2.4, -2.2, 1.5])
+    right = numpy.cross([0, 0, 1], towards)
+    right /= numpy.linalg.norm(right)
+    return numpy.array([right, numpy.cross(towards, right), towards])
 
-    def cross(a, b):
-        return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
-    size = max(box[i + 1] - box[i] for i in (0, 2, 4)) or 1.
-    is_plane = box[5] - box[4] < 1e-6 * size
-    towards = [0., 0., 1.] if is_plane else unit((2.4, -2.2, 1.5))
-    right = [1., 0., 0.] if is_plane else unit(cross([0, 0, 1], towards))
-    up = cross(towards, right)
+def outermost_points(source):
+    """Those that limit what is seen of a source, a row for each."""
+    points = vtk_to_numpy(servermanager.Fetch(source).GetPoints().GetData()).astype(float)
+    along = points @ numpy.concatenate([axes_of_view(True), axes_of_view(False)]).T
+    return points[[*along.argmin(axis=0), *along.argmax(axis=0)]]
 
-    def extent(axis):
-        places = [sum(x * a for x, a in zip(corner, axis))
-                  for corner in itertools.product(box[0:2], box[2:4], box[4:6])]
-        return min(places), max(places)
 
-    (left, end), (bottom, top) = extent(right), extent(up)
-    free = 1. - BAR - TITLE
-    full = 1.06 * max((top - bottom) / free, (end - left) * height / width)
-    middle = (bottom + top) / 2 - (BAR - TITLE) / 2 * full
-    depth = sum((box[i] + box[i + 1]) / 2 * d for i, d in zip((0, 2, 4), towards))
+def look_at(view, points, width, height):
+    """Put points between the bar and the title of a view of this size."""
+    size = numpy.ptp(points, axis=0).max() or 1.
+    axes = axes_of_view(is_plane=numpy.ptp(points[:, 2]) < 1e-6 * size)
+    low, high = (points @ axes.T).min(axis=0), (points @ axes.T).max(axis=0)
+    shown = 1.06 * max((high[1] - low[1]) / (1. - BAR - TITLE),
+                       (high[0] - low[0]) * height / width)
+    focus = (low + high - [0., (BAR - TITLE) * shown, 0.]) / 2 @ axes
     view.CameraParallelProjection = 1
-    view.CameraParallelScale = full / 2
-    view.CameraFocalPoint = [(left + end) / 2 * r + middle * u + depth * t
-                             for r, u, t in zip(right, up, towards)]
-    view.CameraPosition = [x + 10 * size * t for x, t in zip(view.CameraFocalPoint, towards)]
-    view.CameraViewUp = up
-
-
-def bounds(source):
-    source.UpdatePipeline()
-    return source.GetDataInformation().GetBounds()
+    view.CameraParallelScale = shown / 2
+    view.CameraFocalPoint = list(focus)
+    view.CameraPosition = list(focus + 10 * size * axes[2])
+    view.CameraViewUp = list(axes[1])
 
 
 def read(path):
@@ -151,19 +149,17 @@ def picture_of_comparison(folder, case, fit, picture, times):
     layout.SplitHorizontal(2, 0.5)
     springs = warped(f"springs_{network}", f"displacement_{case}{fit[len(network):]}")
     fem = warped(f"{case}_fem", "displacement")
-    panels = [(fem, "POINTS", "displacement", "finite elements: displacement, m", 1,
-               "Surface With Edges"),
-              (springs, "CELLS", "k", f"springs, {fit} fit: k, N/m", 5, "Wireframe"),
-              (warped(f"{case}_{fit}", "displacement"), "POINTS", "error",
-               "error of the springs, m", 6, "Surface With Edges")]
-    boxes = [bounds(panel[0]) for panel in panels]
-    box = [(min, max)[i % 2](b[i] for b in boxes) for i in range(6)]
-    for source, data, array, title, cell, representation in panels:
+    panels = [("finite elements", fem, "POINTS", "displacement", 1, "Surface With Edges"),
+              (fit, springs, "CELLS", "k", 5, "Wireframe"),
+              (fit, warped(f"{case}_{fit}", "displacement"), "POINTS", "error", 6,
+               "Surface With Edges")]
+    points = numpy.concatenate([outermost_points(panel[1]) for panel in panels])
+    for model, source, data, array, cell, representation in panels:
         view = white(CreateRenderView())
         AssignViewToLayout(view, layout, cell)
-        coloured(source, data, array, title, view, representation)
-        written(f"{case}, displacements x {times:g}", view)
-        look_at(view, box, width, height)
+        coloured(source, data, array, f"{array}, {UNITS[array]}", view, representation)
+        written(f"{model}\n{case}, displacements x {times:g}", view)
+        look_at(view, points, width, height)
     layout.SetSize(3 * width, height)
     SaveScreenshot(picture, layout, ImageResolution=[3 * width, height])
 
@@ -182,7 +178,7 @@ def picture_of_network(path, picture):
              "Wireframe" if unit else "Surface With Edges")
     n = network.GetDataInformation().GetNumberOfCells()
     written(f"{pathlib.Path(path).stem}, {n} in number", view)
-    look_at(view, bounds(network), width, height)
+    look_at(view, outermost_points(network), width, height)
     SaveScreenshot(picture, view, ImageResolution=[width, height])
 
 
@@ -192,10 +188,10 @@ def write_frames(series, folder):
     data = PVDReader(FileName=series)
     warped = WarpByVector(Input=data, Vectors=["POINTS", "displacement"], ScaleFactor=1)
     times = list(data.TimestepValues)
-    boxes, largest = [], 0
+    points, largest = [], 0
     for time in times:
         warped.UpdatePipeline(time)
-        boxes.append(warped.GetDataInformation().GetBounds())
+        points.append(outermost_points(warped))
         largest = max(largest, warped.PointData["displacement"].GetRange(-1)[1])
 
     view = white(CreateRenderView())
@@ -203,10 +199,9 @@ def write_frames(series, folder):
     view.ViewTime = times[0]
     coloured(warped, "POINTS", "displacement", "displacement, m", view, "Surface With Edges",
              [0, largest])
-    look_at(view, [(min, max)[i % 2](b[i] for b in boxes) for i in range(6)], width, height)
+    look_at(view, numpy.concatenate(points), width, height)
     for number, time in enumerate(times):
         view.ViewTime = time
-        Render(view)
         SaveScreenshot(str(folder / f"frame_{number:05d}.png"), view,
                        ImageResolution=[width, height])
 
