@@ -1,5 +1,6 @@
 #include <springfit/core/cell_kind.h>
 #include <springfit/output/network_vtu.h>
+#include <springfit/springs/by_table.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -53,7 +54,7 @@ namespace springfit
                     const std::vector<NodalField> &fields)
   {
     const auto nodes = node_grid(network.nodes, fields);
-    for (const auto &family : network.families)
+    for (const auto &family : by_table(network.families))
       {
         const auto &kind = *family.kind;
         auto grid        = nodes;

@@ -4,6 +4,7 @@
 #include <springfit/core/error.h>
 #include <springfit/output/adapt_table.h>
 #include <springfit/output/mesh_vtu.h>
+#include <springfit/output/network_vtu.h>
 #include <springfit/output/tables.h>
 #include <springfit/response/distributed_body.h>
 #include <springfit/response/finite_element_body.h>
@@ -393,6 +394,7 @@ namespace springfit
       write_models_of_cells(folder, models, names);
       const auto network = adaptation.mixed().network(models);
       write_network(folder, "adapted", network);
+      write_network_vtu(folder, "adapted", network, {});
       auto networks = named(calibrated.networks);
       networks.push_back({"adapted", &network});
       write_families(folder, networks);
