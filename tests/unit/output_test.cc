@@ -154,8 +154,7 @@ namespace
     other.add({0, 2}, {{4.}, {1.}});
     const auto tables = by_table({springs, other, zero});
     ASSERT_EQ(tables.size(), 2u);
-    EXPECT_EQ(tables[0].members.nodes,
-              (std::vector<unsigned int>{0, 1, 1, 2}));
+    EXPECT_EQ(tables[0].members.nodes, (std::vector<unsigned int>{0, 1, 1, 2}));
     EXPECT_EQ(tables[0].members.columns,
               (std::vector<std::vector<double>>{{2., 3.}, {1., 0.}}));
     EXPECT_EQ(tables[1].members.nodes, other.members.nodes);
