@@ -35,15 +35,6 @@ namespace springfit
   } // namespace
 
   ExportedScene
-  exported(const SpringNetwork &network, const std::string &name)
-  {
-    return exported(network,
-                    name,
-                    std::vector<bool>(network.nodes.size(), false),
-                    load_of_forces(0. * network.nodes));
-  }
-
-  ExportedScene
   exported(const SpringNetwork &network,
            const std::string &name,
            const std::vector<bool> &held,
@@ -81,12 +72,6 @@ namespace springfit
     // Angles are stiff besides.
     const double stable = 0.5 * scene.stable_step;
     return scene.motion ? std::min(scene.motion->step, stable) : stable;
-  }
-
-  bool
-  holds_whole_nodes(const ExportedScene &scene)
-  {
-    return nodes_held_in_part(scene).empty();
   }
 
   std::vector<unsigned int>
@@ -222,7 +207,7 @@ namespace springfit
   std::vector<std::string>
   partly_held_nodes(const ExportedScene &scene)
   {
-    if (holds_whole_nodes(scene))
+    if (nodes_held_in_part(scene).empty())
       return {};
     return {"nodes held in some of their components"};
   }

@@ -63,23 +63,14 @@ namespace springfit
   explicit_step(const ExportedScene &scene);
 
   /**
-   * A network that nothing holds and nothing loads.
-   *
    * @param name see ExportedScene
+   * @param held a flag per unknown, see Loading
    */
-  ExportedScene
-  exported(const SpringNetwork &network, const std::string &name);
-
-  /** @param held a flag per unknown, see Loading */
   ExportedScene
   exported(const SpringNetwork &network,
            const std::string &name,
            const std::vector<bool> &held,
            const NodalLoad &load);
-
-  /** Whether nothing, or everything, of each node in space is held. */
-  bool
-  holds_whole_nodes(const ExportedScene &scene);
 
   /** 0, 1, ... of those all of whose components are held. */
   std::vector<unsigned int>
