@@ -107,11 +107,11 @@ def hessians(family, law, x, c):
     return result
 
 
-def main(folder, case, fit, kinematics="linear"):
+def read(folder, fit):
+    """Places of the nodes, n x dim in m, and the families: (name, law, nodes, columns by name)."""
     used = open(f"{folder}/used.prm").read()
     dim = int(re.search(r"set Dimension\s*= (\d)", used)[1])
-    axes = "xyz"[:dim]
-    nodes = COLUMNS(ROW(f"{folder}/nodes.csv"), axes)
+    places = COLUMNS(ROW(f"{folder}/nodes.csv"), "xyz"[:dim])
     families = {}
     for row in ROW(f"{folder}/families.csv"):
         if row["fit"] == fit:
@@ -127,25 +127,37 @@ def main(folder, case, fit, kinematics="linear"):
             columns[row["column"]] = COLUMNS(members, names[:width])
             names = names[width:]
         network.append((family, law, COLUMNS(members, list(members[0])[:n]).astype(int), columns))
+    return places, network
 
+
+def energy(network, x):
+    """J, of nodes at x."""
+    return sum(energies(f, law, x[n], c).sum() for f, law, n, c in network)
+
+
+def forces(network, x):
+    """N on each node at x."""
+    result = np.zeros_like(x)
+    for f, law, n, c in network:
+        np.add.at(result, n, -gradients(f, law, x[n], c))
+    return result
+
+
+def main(folder, case, fit, kinematics="linear"):
+    nodes, network = read(folder, fit)
+    dim = nodes.shape[1]
+    axes = "xyz"[:dim]
     suffix = "_nonlinear" if kinematics == "nonlinear" else ""
     table = ROW(f"{folder}/{case}_{fit}{suffix}.csv")
     force = COLUMNS(table, ["force_" + a for a in axes]).ravel()
     expected = COLUMNS(table, ["u_" + a for a in axes])
     free = COLUMNS(table, ["held_" + a for a in axes]).ravel() == 0
 
-    def energy(u):
-        x = nodes + u.reshape(-1, dim)
-        return sum(energies(f, law, x[n], c).sum() for f, law, n, c in network)
-
-    def forces(u):
-        x, result = nodes + u.reshape(-1, dim), np.zeros((len(nodes), dim))
-        for f, law, n, c in network:
-            np.add.at(result, n, -gradients(f, law, x[n], c))
-        return result.ravel()
+    def places(u):
+        return nodes + u.reshape(-1, dim)
 
     def tangent(u):
-        x, K = nodes + u.reshape(-1, dim), np.zeros((force.size, force.size))
+        x, K = places(u), np.zeros((force.size, force.size))
         for f, law, n, c in network:
             dofs = (n[:, :, None] * dim + np.arange(dim)).reshape(len(n), -1)
             np.add.at(K, (dofs[:, :, None], dofs[:, None, :]), hessians(f, law, x[n], c))
@@ -160,12 +172,13 @@ def main(folder, case, fit, kinematics="linear"):
         for load in (0.25, 0.5, 0.75, 1):
             u[~free] = load * support[~free]
             for _ in range(30):
-                missing = (load * force + forces(u))[free]
-                if np.linalg.norm(missing) < 1e-11 * np.linalg.norm(forces(u)):
+                pull = forces(network, places(u)).ravel()
+                missing = (load * force + pull)[free]
+                if np.linalg.norm(missing) < 1e-11 * np.linalg.norm(pull):
                     break
                 step = np.linalg.solve(tangent(u)[np.ix_(free, free)], missing)
                 u[free] += step
-        print(f"energy {energy(u):.10g} J")
+        print(f"energy {energy(network, places(u)):.10g} J")
     difference = np.abs(u.reshape(-1, dim) - expected).max() / np.abs(expected).max()
     print(f"difference {difference:.3g} of the largest displacement")
     return difference

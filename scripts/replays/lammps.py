@@ -4,8 +4,9 @@
     scripts/replays/lammps.py build/springfit parameters/cube.prm [--set "Section/Entry=value"]...
 
 With true forces as it is; small displacements from two pairs of small loads, in whose differences what
-grows with the square and the cube of the load cancels (not where supports move). Exit status 1 where they differ by more than 1e-6 of the largest
-displacement. Debian: lammps.
+grows with the square and the cube of the load cancels (not where supports move). Exit status 1 where they
+differ by more than 1e-6 of the largest displacement. With "Output/Export=lammps library" the library of
+LAMMPS is driven by examples/run_in_lammps.py. Debian: lammps, python3-lammps, liblammps-dev.
 """
 
 import sys
@@ -17,7 +18,9 @@ SMALL = 4e-3
 
 
 def places(folder, name, load):
-    results.run(["lmp", "-in", name + ".lmp", "-log", "none", "-var", "load", str(load)], folder)
+    script = name + ".lmp"
+    program = [results.DRIVER, script] if name.endswith("_library") else ["lmp", "-in", script, "-log", "none"]
+    results.run([*program, "-var", "load", str(load)], folder)
     rows = (folder / (name + ".dump")).read_text().split("ITEM: ATOMS")[1].splitlines()[1:]
     return [[float(word) for word in row.split()[1:4]] for row in rows]
 
@@ -47,6 +50,7 @@ def main(program, scene, *arguments):
         nodes = results.vectors(results.read_table(folder / "nodes.csv"), "")
         is_well, n_compared = True, 0
         for path, name in results.exported(folder, "lmp"):
+            name = name.removesuffix("_library")
             linear, nonlinear = folder / (name + ".csv"), folder / (name + "_nonlinear.csv")
             if nonlinear.exists():
                 n_compared += 1

@@ -1,10 +1,12 @@
-
 import csv
 import math
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+# Runs a scene by the library of LAMMPS.
+DRIVER = pathlib.Path(__file__).resolve().parents[2] / "examples" / "run_in_lammps.py"
 
 
 def fail(message):

@@ -2,8 +2,8 @@
 
 Two ways to look at the ratios of the two times of each model: as they are, and relative to
 the middle one of them all. Models take turns, so that a slow phase of the machine hits all:
-it moves the middle ratio, and leaves what a table says about its models. Exit status 1 where
-fewer than nine in ten models are within 10 % of the middle one.
+it moves the middle ratio, and leaves what a table says about its models. Set-up happens once in
+a run, the others are medians.
 """
 import csv
 import statistics
@@ -28,7 +28,6 @@ def percent_within(ratios, middle):
 
 print("| scene | models | study, s | time | within 10 % | middle ratio | within 10 % of it |\n"
       "|---|---|---|---|---|---|---|")
-bad = 0
 for scene in sys.argv[1:]:
     seconds, rows = study(scene, f"output/tradeoff_{scene}")
     _, again = study(scene, f"output/repeat_{scene}")
@@ -36,8 +35,6 @@ for scene in sys.argv[1:]:
         ratios = [float(two[kind]) / float(one[kind])
                   for one, two in zip(rows, again) if one[kind] and two[kind]]
         middle = statistics.median(ratios)
-        bad += percent_within(ratios, middle) < 90
         print(f"| {scene} | {len(rows)} | {seconds:.0f} | {kind} | "
               f"{percent_within(ratios, 1):.0f} % | {middle:.3f} | "
               f"{percent_within(ratios, middle):.0f} % |", flush=True)
-sys.exit(bad > 0)

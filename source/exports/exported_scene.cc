@@ -69,7 +69,7 @@ namespace springfit
   double
   explicit_step(const ExportedScene &scene)
   {
-    // Angles are stiff besides.
+    // Deformed, it is less than at rest.
     const double stable = 0.5 * scene.stable_step;
     return scene.motion ? std::min(scene.motion->step, stable) : stable;
   }

@@ -53,11 +53,20 @@ namespace springfit
         case ExportFormat::lammps:
           return {format,
                   "springs and angles",
-                  "'Methods = frobenius' with 'Enrichment = angles'",
+                  "'Methods = frobenius' with 'Enrichment = angles', export "
+                  "to 'lammps library'",
                   false,
                   not_in_lammps,
                   left_out_of_lammps,
                   write_lammps};
+        case ExportFormat::lammps_library:
+          return {format,
+                  "everything",
+                  "any of them",
+                  false,
+                  nothing,
+                  left_out_of_lammps,
+                  write_lammps_library};
         case ExportFormat::calculix:
           return {format,
                   "springs of the law quadratic",

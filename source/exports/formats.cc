@@ -8,6 +8,7 @@ namespace springfit
     static const WordTable<ExportFormat> table = {
       {ExportFormat::sofa, "sofa"},
       {ExportFormat::lammps, "lammps"},
+      {ExportFormat::lammps_library, "lammps library"},
       {ExportFormat::calculix, "calculix"},
       {ExportFormat::febio, "febio"},
       {ExportFormat::gipsi, "gipsi"},

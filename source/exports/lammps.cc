@@ -1,4 +1,5 @@
 #include <springfit/core/atomic_file.h>
+#include <springfit/core/words.h>
 #include <springfit/exports/lammps.h>
 #include <springfit/exports/written_text.h>
 
@@ -24,6 +25,13 @@ namespace springfit
     is_of_angles(const SpringKind &kind)
     {
       return kind.word() == "angles";
+    }
+
+    bool
+    is_in_lammps(const SpringKind &kind)
+    {
+      return is_of_hookean_springs(kind) || is_of_biquadratic_springs(kind) ||
+             is_of_angles(kind);
     }
 
     /** Members that share their coefficients have a type, counted from 1. */
@@ -196,15 +204,16 @@ namespace springfit
               zeros += components[d] ? " 0" : " NULL";
             }
           // By runs of nodes: each is looked for among all of them.
-          for (std::size_t first = 0, last; first < nodes.size();
-               first             = last + 1)
+          std::size_t first = 0;
+          while (first < nodes.size())
             {
-                          last = first;
-                          while (last + 1 < nodes.size() &&
+              std::size_t last = first;
+              while (last + 1 < nodes.size() &&
                      nodes[last + 1] == nodes[last] + 1)
                 ++last;
               file << "group " << name << " id " << nodes[first] << ':'
-                               << nodes[last] << '\n';
+                   << nodes[last] << '\n';
+              first = last + 1;
             }
           file << "fix " << name << ' ' << name << " setforce" << zeros
                << "\nvelocity " << name << " set" << zeros << '\n';
@@ -269,8 +278,11 @@ namespace springfit
                  std::ostream &file)
     {
       const double longest = longest_bond(scene, bonds);
-      file << "# " << scene.title << "\n# lmp -in " << scene.name << ".lmp"
-           << "\n# Units: m, kg, s, N. -var load 0.5 applies half of the "
+      const auto others    = families_but(is_in_lammps, scene);
+      file << "# " << scene.title << "\n# Network: " << scene.network << "\n# "
+           << (others.empty() ? "lmp -in " : "examples/run_in_lammps.py ")
+           << scene.name
+           << ".lmp\n# Units: m, kg, s, N. -var load 0.5 applies half of the "
               "forces.\n";
       for (const auto &what : left_out_of_lammps(scene))
         file << "# Without the " << what << " of the scene.\n";
@@ -299,6 +311,11 @@ namespace springfit
               "variable work atom -(v_fx*x+v_fy*y+v_fz*z)\n"
               "fix load all addforce v_fx v_fy v_fz energy v_work\n"
               "fix_modify load energy yes\n";
+      if (!others.empty())
+        file << "# The " << join(others)
+             << ": forces of the program that runs this.\n"
+                "fix others all external pf/callback 1 1\n"
+                "fix_modify others energy yes\n";
       write_supports(scene, file);
       if (scene.motion)
         write_motion(scene, file);
@@ -312,12 +329,7 @@ namespace springfit
   std::vector<std::string>
   not_in_lammps(const ExportedScene &scene)
   {
-    return families_but(
-      [](const SpringKind &kind) {
-        return is_of_hookean_springs(kind) || is_of_biquadratic_springs(kind) ||
-               is_of_angles(kind);
-      },
-      scene);
+    return families_but(is_in_lammps, scene);
   }
 
   std::vector<std::string>
@@ -342,5 +354,14 @@ namespace springfit
     write_file(folder / (scene.name + ".lmp"), [&](std::ostream &file) {
       write_script(scene, bonds, angles, file);
     });
+  }
+
+  void
+  write_lammps_library(const std::filesystem::path &folder,
+                       const ExportedScene &scene)
+  {
+    ExportedScene of_library = scene;
+    of_library.name += "_library";
+    write_lammps(folder, of_library);
   }
 } // namespace springfit

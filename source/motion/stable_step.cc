@@ -34,7 +34,9 @@ namespace springfit
       if (family.kind->n_nodes() == 2)
         for (std::size_t m = 0; m < family.size(); ++m)
           for (unsigned int i = 0; i < 2; ++i)
-            sum[family.nodes(m)[i]] += family.members.columns[0][m];
+            // Those of k < 0 take stiffness away from every motion.
+            sum[family.nodes(m)[i]] +=
+              std::max(0., family.members.columns[0][m]);
     double largest = 0.;
     for (Eigen::Index v = 0; v < sum.size(); ++v)
       if (!held[v])

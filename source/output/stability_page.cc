@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <map>
 #include <ostream>
 #include <set>
@@ -200,58 +201,120 @@ namespace springfit
            << ".svg'\nplot $map using 1:2:3 with points pt 5 ps 2.5 lc rgb "
               "variable\n";
     }
+
+    /** And along which axes it is not stable somewhere. */
+    struct JudgedModel
+    {
+      std::string name, integrator;
+      std::set<std::string> bad_axes;
+    };
+
+    /** In the order of their rows. */
+    std::vector<JudgedModel>
+    judged_models(const std::vector<StabilityRow> &rows)
+    {
+      std::vector<JudgedModel> models;
+      std::map<std::string, std::size_t> numbers;
+      for (const auto &row : rows)
+        {
+          const auto [found, is_new] =
+            numbers.emplace(name_of_model(row), models.size());
+          if (is_new)
+            models.push_back({found->first, row.integrator, {}});
+          if (row.verdict == "stable")
+            continue;
+          auto &axes    = models[found->second].bad_axes;
+          bool is_moved = false;
+          for (const auto &[axis, value] : row.axes)
+            if (value)
+              {
+                axes.insert(axis);
+                is_moved = true;
+              }
+          if (!is_moved)
+            axes.insert("the scene as it is");
+        }
+      return models;
+    }
+
+    /** Those that are stable everywhere; one name where all at rest, or all by
+     * an integrator, are. */
+    std::vector<std::string>
+    safe_names(const std::vector<JudgedModel> &models)
+    {
+      std::vector<std::string> names;
+      std::set<std::string> integrators;
+      for (const auto &model : models)
+        {
+          if (!integrators.insert(model.integrator).second)
+            continue;
+          std::vector<std::string> safe;
+          std::size_t n = 0;
+          for (const auto &other : models)
+            if (other.integrator == model.integrator)
+              {
+                ++n;
+                if (other.bad_axes.empty())
+                  safe.push_back(other.name);
+              }
+          if (n > 1 && safe.size() == n)
+            safe = {model.integrator == "-"
+                      ? "every model at rest"
+                      : "every model, " + model.integrator};
+          names.insert(names.end(), safe.begin(), safe.end());
+        }
+      return names;
+    }
+
+    /** "stretch below 0.35; time step in s from 0.002" */
+    std::string
+    ends(const JudgedModel &model,
+         const std::vector<StabilityBoundary> &boundaries)
+    {
+      std::vector<std::string> ends;
+      for (const auto &axis : model.bad_axes)
+        {
+          std::string where;
+          for (const auto &boundary : boundaries)
+            if (boundary.axis == axis && name_of_model(boundary) == model.name)
+              {
+                const bool is_above = is_stable(boundary.verdict_below);
+                if (is_above == is_stable(boundary.verdict_above))
+                  continue;
+                where += (where.empty() ? "" : " and ") +
+                         std::string(is_above ? "from " : "below ") +
+                         number(is_above ? boundary.below : boundary.above);
+              }
+          ends.push_back(spoken(axis) + (where.empty() ? "" : ' ' + where));
+        }
+      return join(ends, "; ");
+    }
   } // namespace
 
   std::string
   safe_models(const std::vector<StabilityRow> &rows,
               const std::vector<StabilityBoundary> &boundaries)
   {
-    std::vector<std::string> models;
-    std::map<std::string, std::set<std::string>> bad;
-    for (const auto &row : rows)
-      {
-        const auto model = name_of_model(row);
-        if (std::find(models.begin(), models.end(), model) == models.end())
-          models.push_back(model);
-        if (row.verdict == "stable")
-          continue;
-        auto &axes = bad[model];
-        for (const auto &[axis, value] : row.axes)
-          if (value)
-            axes.insert(axis);
-        if (axes.empty())
-          axes.insert("the scene as it is");
-      }
-    std::vector<std::string> safe;
-    for (const auto &model : models)
-      if (bad.count(model) == 0)
-        safe.push_back(model);
+    const auto models = judged_models(rows);
+    const auto safe   = safe_names(models);
     std::string text =
       safe.empty()
         ? "No model is stable at all points asked for."
         : "Stable at all points asked for: " + join(safe, "; ") + '.';
+
+    // Models that end at the same places share a line.
+    std::vector<std::string> lines;
+    std::map<std::string, std::vector<std::string>> of_lines;
     for (const auto &model : models)
-      {
-        if (bad.count(model) == 0)
-          continue;
-        std::vector<std::string> ends;
-        for (const auto &axis : bad[model])
-          {
-            std::string where;
-            for (const auto &boundary : boundaries)
-              if (boundary.axis == axis && name_of_model(boundary) == model)
-                {
-                  const bool is_above = is_stable(boundary.verdict_below);
-                  if (is_above == is_stable(boundary.verdict_above))
-                    continue;
-                  where += (where.empty() ? "" : " and ") +
-                           std::string(is_above ? "from " : "below ") +
-                           number(is_above ? boundary.below : boundary.above);
-                }
-            ends.push_back(spoken(axis) + (where.empty() ? "" : ' ' + where));
-          }
-        text += "\n- " + model + ": not with " + join(ends, "; ") + '.';
-      }
+      if (!model.bad_axes.empty())
+        {
+          const auto line = ends(model, boundaries);
+          if (of_lines.count(line) == 0)
+            lines.push_back(line);
+          of_lines[line].push_back(model.name);
+        }
+    for (const auto &line : lines)
+      text += "\n- " + join(of_lines[line], "; ") + ": not with " + line + '.';
     return text;
   }
 

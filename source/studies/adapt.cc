@@ -6,11 +6,9 @@
 #include <springfit/output/mesh_vtu.h>
 #include <springfit/output/network_vtu.h>
 #include <springfit/output/tables.h>
-#include <springfit/response/distributed_body.h>
-#include <springfit/response/finite_element_body.h>
+#include <springfit/studies/adaptation.h>
 #include <springfit/studies/calibrated_scene.h>
 #include <springfit/studies/measured_model.h>
-#include <springfit/studies/mixed_body.h>
 #include <springfit/studies/moving_models.h>
 #include <springfit/studies/network_exports.h>
 #include <springfit/studies/responses.h>
@@ -20,8 +18,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,248 +30,6 @@ namespace springfit
   {
     // What a richer model does to the displacements is not foreseen.
     constexpr double safety = 0.7;
-
-    /** What the error is of: a linear function of the displacements' error. */
-    struct Goal
-    {
-      Eigen::MatrixXd weights;   // of displacements
-      Eigen::MatrixXd of_forces; // of missing forces where it is held
-    };
-
-    /** All that a load case tells of a mixed body. */
-    struct JudgedCase
-    {
-      Equilibrium found;
-      Eigen::MatrixXd contributions; // n_cells x n_models, per cent, signed
-      double estimate;               // per cent, signed
-    };
-
-    template <int dim, int spacedim>
-    class Adaptation
-    {
-    public:
-      Adaptation(const Scene<spacedim> &scene,
-                 const CalibratedScene<dim, spacedim> &calibrated,
-                 const Loading &loading,
-                 const AdaptSettings &settings,
-                 Session &session)
-        : scene_(scene)
-        , calibrated_(calibrated)
-        , loading_(loading)
-        , settings_(settings)
-        , law_(scene.statics.material_law())
-        , kinematics_(law_ == MaterialLaw::linear ? Kinematics::linear
-                                                  : Kinematics::nonlinear)
-        , discretization_(*calibrated.mesh,
-                          loading.held,
-                          session.communicator())
-        , mixed_(calibrated, law_, kinematics_)
-        , exact_(mixed_.exact_body())
-      {
-        if (settings_.quantity)
-          quantity_ = on_mesh(*settings_.quantity,
-                              *calibrated.mesh,
-                              calibrated.element,
-                              loading,
-                              "Adapt/Quantity");
-      }
-
-      const MixedBody<dim, spacedim> &
-      mixed() const
-      {
-        return mixed_;
-      }
-
-      Kinematics
-      kinematics() const
-      {
-        return kinematics_;
-      }
-
-      unsigned int
-      n_models() const
-      {
-        return mixed_.n_models() - (settings_.has_finite_elements ? 0 : 1);
-      }
-
-      std::vector<Equilibrium>
-      respond(std::unique_ptr<const BodyOfMembers> body) const
-      {
-        const auto model = scene_.statics.body(discretization_,
-                                               *calibrated_.mesh,
-                                               calibrated_.element,
-                                               std::move(body),
-                                               {"the mixed network",
-                                                "Load less, or leave out the "
-                                                "first of the fits."},
-                                               kinematics_);
-        std::vector<Equilibrium> found;
-        for (const auto &load_case : loading_.cases)
-          {
-            found.push_back(model->respond(load_case.load));
-            if (!is_complete(found.back()))
-              throw RunError("Load case " + load_case.name + ": " +
-                               found.back().failure,
-                             "Load less, or leave out the first of the fits.");
-            // It throws where nothing moves.
-            scale_of(load_case, loading_, found.back().displacement);
-          }
-        return found;
-      }
-
-      /**
-       * That of the quantity in all load cases, m or N: symmetry may forbid it
-       * in some. 1 without a quantity.
-       *
-       * @throws EntryError when it is 0.
-       */
-      double
-      largest_quantity(const std::vector<Equilibrium> &found) const
-      {
-        if (!quantity_)
-          return 1.;
-        double largest = 0., scale = 0.;
-        for (const auto &of_case : found)
-          {
-            largest =
-              std::max(largest, std::abs(value_of(*quantity_, of_case)));
-            scale = std::max(scale,
-                             (quantity_->is_reaction ? of_case.reactions
-                                                     : of_case.displacement)
-                               .cwiseAbs()
-                               .maxCoeff());
-          }
-        if (!(largest > 1e-9 * scale))
-          throw EntryError("Adapt/Quantity",
-                           "no load moves it.",
-                           "Name another component, or a place that moves.");
-        return largest;
-      }
-
-      /** The error between two equilibria of a load case, per cent. */
-      double
-      error(const Equilibrium &exact,
-            const Equilibrium &found,
-            const double largest) const
-      {
-        if (quantity_)
-          return 100. *
-                 (value_of(*quantity_, exact) - value_of(*quantity_, found)) /
-                 largest;
-        return error_norms(exact.displacement, found.displacement)
-          .e_rms_percent;
-      }
-
-      /** The estimate by one step of Newton's method for the exact body. */
-      JudgedCase
-      judge(const Equilibrium &found,
-            const std::vector<unsigned int> &models,
-            const double largest) const
-      {
-        const Eigen::MatrixXd &u   = found.displacement;
-        const unsigned int n_cells = models.size();
-        if (!std::isfinite(exact_->energy(u)))
-          throw RunError(
-            "The finite elements have no energy in the state of "
-            "the mixed network.",
-            "Load less, or set 'Material law = stable neo-hookean' "
-            "in section Response.");
-        std::vector<std::vector<Eigen::MatrixXd>> missing(n_cells);
-        Eigen::MatrixXd sum = 0. * u;
-        for (unsigned int c = 0; c < n_cells; ++c)
-          {
-            missing[c] = mixed_.missing_forces(c, u);
-            add(missing[c][models[c]], c, sum);
-          }
-
-        typename Discretization<spacedim>::Matrix tangent;
-        discretization_.initialize(tangent);
-        DistributedBody<spacedim> distributed(discretization_, *exact_);
-        distributed.tangent(u, tangent);
-        const auto solver =
-          scene_.statics.linear_solvers(discretization_)(tangent);
-        const auto solve = [&](const Eigen::MatrixXd &forces) {
-          return discretization_.to_nodal(
-            solver->solve(discretization_.to_vector(forces)));
-        };
-        const Eigen::MatrixXd change = solve(sum);
-        const Goal goal              = this->goal(found, change, largest);
-        Eigen::MatrixXd adjoint      = goal.weights;
-        if (quantity_ && quantity_->is_reaction)
-          {
-            adjoint.setZero();
-            exact_->add_tangent_product(u, goal.weights, adjoint);
-          }
-        adjoint = solve(adjoint) - goal.of_forces;
-
-        JudgedCase judged{found, Eigen::MatrixXd(n_cells, n_models()), 0.};
-        for (const auto &cell :
-             calibrated_.mesh->triangulation.active_cell_iterators())
-          {
-            const unsigned int c = cell->active_cell_index();
-            const auto &nodes    = calibrated_.mesh->nodes.of(cell);
-            for (unsigned int k = 0; k < n_models(); ++k)
-              {
-                double product = 0.;
-                for (std::size_t a = 0; a < nodes.size(); ++a)
-                  product += adjoint.col(nodes[a]).dot(missing[c][k].col(a));
-                judged.contributions(c, k) = product;
-              }
-            judged.estimate += judged.contributions(c, models[c]);
-          }
-        if (!std::isfinite(judged.estimate))
-          throw RunError("The error of the mixed network could not be "
-                         "estimated: it is not finite.",
-                         "Load less, or leave out the first of the fits.");
-        return judged;
-      }
-
-    private:
-      void
-      add(const Eigen::MatrixXd &of_cell,
-          const unsigned int cell,
-          Eigen::MatrixXd &sum) const
-      {
-        const auto &nodes = calibrated_.mesh->nodes.of_cells[cell];
-        for (std::size_t a = 0; a < nodes.size(); ++a)
-          sum.col(nodes[a]) += of_cell.col(a);
-      }
-
-      /** In per cent, of the state that is a @p change away. */
-      Goal
-      goal(const Equilibrium &found,
-           const Eigen::MatrixXd &change,
-           const double largest_of_quantity) const
-      {
-        const Eigen::MatrixXd &u = found.displacement;
-        Goal goal{0. * u, 0. * u};
-        if (quantity_)
-          {
-            goal.weights = 100. / largest_of_quantity * quantity_->weights;
-            if (quantity_->is_reaction)
-              goal.of_forces = goal.weights;
-            return goal;
-          }
-        const double largest = largest_displacement(u + change);
-        const double error =
-          change.norm() / std::sqrt(double(u.cols())) / largest;
-        if (error > 0.)
-          goal.weights = 100. / (u.cols() * largest * largest * error) * change;
-        return goal;
-      }
-
-      const Scene<spacedim> &scene_;
-      const CalibratedScene<dim, spacedim> &calibrated_;
-      const Loading &loading_;
-      const AdaptSettings settings_;
-      const MaterialLaw law_;
-      const Kinematics kinematics_;
-      const Discretization<spacedim> discretization_;
-      const MixedBody<dim, spacedim> mixed_;
-      const std::unique_ptr<const BodyOfMembers> exact_;
-      std::optional<Quantity> quantity_;
-    };
-
 
     /** What steps of a body cost. */
     template <int dim, int spacedim>
@@ -303,6 +60,44 @@ namespace springfit
       model.finish();
       return model.row;
     }
+
+    template <int dim, int spacedim>
+    void
+    write_adapted_network(const std::filesystem::path &folder,
+                          const CalibratedScene<dim, spacedim> &calibrated,
+                          const SpringNetwork &network)
+    {
+      write_network(folder, "adapted", network);
+      write_network_vtu(folder, "adapted", network, {});
+      auto networks = named(calibrated.networks);
+      networks.push_back({"adapted", &network});
+      write_families(folder, networks);
+    }
+
+    /** For ParaView: where the accuracy was bought, and what is missing. */
+    template <int dim, int spacedim>
+    void
+    write_judged_cases(const std::filesystem::path &folder,
+                       const CalibratedScene<dim, spacedim> &calibrated,
+                       const Loading &loading,
+                       const std::vector<unsigned int> &models,
+                       const std::vector<JudgedCase> &judged)
+    {
+      Eigen::VectorXd of_cells(models.size());
+      for (std::size_t c = 0; c < models.size(); ++c)
+        of_cells[c] = models[c];
+      for (std::size_t i = 0; i < judged.size(); ++i)
+        {
+          Eigen::VectorXd contributions(models.size());
+          for (std::size_t c = 0; c < models.size(); ++c)
+            contributions[c] = std::abs(judged[i].contributions(c, models[c]));
+          write_mesh_vtu(folder / (loading.cases[i].name + "_adapted.vtu"),
+                         *calibrated.mesh,
+                         {{"displacement", judged[i].found.displacement}},
+                         {{"model", of_cells},
+                          {"error_percent", contributions}});
+        }
+    }
   } // namespace
 
   template <int dim, int spacedim>
@@ -323,7 +118,7 @@ namespace springfit
     calibrate_scene(scene, calibrated, loading.held, {}, session);
 
     const Adaptation<dim, spacedim> adaptation(
-      scene, calibrated, loading, settings, session);
+      scene, calibrated, loading, settings, session.communicator());
     std::vector<std::string> names;
     for (unsigned int k = 0; k < adaptation.n_models(); ++k)
       names.push_back(adaptation.mixed().name(k));
@@ -391,27 +186,11 @@ namespace springfit
     run_on_root(session.communicator(), [&]() {
       const auto &folder = session.draft();
       write_adaptation(folder, rows, of_richest, names);
+      write_adapted_network(folder,
+                            calibrated,
+                            adaptation.mixed().network(models));
       write_models_of_cells(folder, models, names);
-      const auto network = adaptation.mixed().network(models);
-      write_network(folder, "adapted", network);
-      write_network_vtu(folder, "adapted", network, {});
-      auto networks = named(calibrated.networks);
-      networks.push_back({"adapted", &network});
-      write_families(folder, networks);
-      Eigen::VectorXd of_cells(n_cells);
-      for (unsigned int c = 0; c < n_cells; ++c)
-        of_cells[c] = models[c];
-      for (std::size_t i = 0; i < judged.size(); ++i)
-        {
-          Eigen::VectorXd contributions(n_cells);
-          for (unsigned int c = 0; c < n_cells; ++c)
-            contributions[c] = std::abs(judged[i].contributions(c, models[c]));
-          write_mesh_vtu(folder / (loading.cases[i].name + "_adapted.vtu"),
-                         *calibrated.mesh,
-                         {{"displacement", judged[i].found.displacement}},
-                         {{"model", of_cells},
-                          {"error_percent", contributions}});
-        }
+      write_judged_cases(folder, calibrated, loading, models, judged);
     });
     if (settings.has_finite_elements && rows.back().n_cells.back() > 0)
       session.skip("Exports",

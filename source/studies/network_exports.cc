@@ -1,13 +1,16 @@
 #include <springfit/core/collective.h>
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
+#include <springfit/motion/critical_step.h>
 #include <springfit/motion/stable_step.h>
+#include <springfit/response/network_body.h>
 #include <springfit/studies/comparison_files.h>
 #include <springfit/studies/moving_models.h>
 #include <springfit/studies/network_exports.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace springfit
@@ -24,6 +27,31 @@ namespace springfit
                                held.begin() + dim * (v + 1),
                                [](const bool is_held) { return is_held; });
       return nodes;
+    }
+
+    /** Volumes, angles and couplings are stiff besides the springs, s. */
+    double
+    stable_step_at_rest(const SpringNetwork &network,
+                        const std::vector<bool> &held)
+    {
+      const NetworkBody body(network);
+      MovingBody moving;
+      moving.elastic = &body;
+      moving.mass    = Eigen::Map<const Eigen::VectorXd>(network.mass.data(),
+                                                      network.mass.size());
+      moving.held    = held;
+      return critical_step(moving, 0. * network.nodes).step;
+    }
+
+    bool
+    is_of_springs_alone(const SpringNetwork &network)
+    {
+      return std::all_of(network.families.begin(),
+                         network.families.end(),
+                         [](const Family &family) {
+                           return family.size() == 0 ||
+                                  family.kind->n_nodes() == 2;
+                         });
     }
 
     template <int dim>
@@ -270,6 +298,11 @@ namespace springfit
     if (wanted.empty())
       return;
     const auto settings = scene.dynamics.settings();
+    std::map<std::string, double> stable_steps;
+    for (const auto &network : calibrated.networks)
+      if (!is_of_springs_alone(network.network))
+        stable_steps[network.name] =
+          stable_step_at_rest(network.network, loading.held);
     std::vector<ExportedScene> scenes;
     bool has_changes = false;
     for (const auto &load_case : loading.cases)
@@ -283,6 +316,9 @@ namespace springfit
           {
             scenes.push_back(scene_of_network(
               network.network, network.name, loading.held, at_first));
+            const auto found = stable_steps.find(network.name);
+            if (found != stable_steps.end() && std::isfinite(found->second))
+              scenes.back().stable_step = found->second;
             scenes.back().motion =
               motion_of(settings, scenes.back().stable_step);
           }

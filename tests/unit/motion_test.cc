@@ -136,6 +136,14 @@ TEST(LargestMode, of_a_chain)
       EXPECT_LE(spring_bound_of_step(network, held),
                 stable_step({}, std::sqrt(mode.square)));
     }
+  // It holds where springs of k < 0 hide others from the sum.
+  auto mixed = chain(9, 50., 0.2);
+  auto &k    = mixed.families[0].members.columns[0];
+  for (std::size_t m = 0; m < k.size(); m += 2)
+    k[m] = -45.;
+  const std::vector<bool> nothing(11, false);
+  EXPECT_LE(spring_bound_of_step(mixed, nothing),
+            stable_step({}, std::sqrt(largest_mode_of(mixed, nothing).square)));
   // The bound is that of a long chain.
   const auto network = chain(400, 50., 0.2);
   const std::vector<bool> free(402, false);

@@ -10,6 +10,7 @@ namespace springfit
   {
     sofa,
     lammps,
+    lammps_library,
     calculix,
     febio,
     gipsi,

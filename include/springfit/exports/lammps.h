@@ -24,12 +24,17 @@ namespace springfit
   /**
    * <name>.data with nodes and springs, <name>.lmp with what is held, the
    * forces, and a minimisation or a motion, which writes the places of the
-   * nodes to <name>.dump.
+   * nodes to <name>.dump. What LAMMPS does not hold is `fix others`, external.
    *
    * @throws RunError when a file cannot be written.
    */
   void
   write_lammps(const std::filesystem::path &folder, const ExportedScene &scene);
+
+  /** The same as <name>_library, for a program that drives LAMMPS' library. */
+  void
+  write_lammps_library(const std::filesystem::path &folder,
+                       const ExportedScene &scene);
 } // namespace springfit
 
 #endif

@@ -34,8 +34,8 @@ namespace springfit
   /**
    * A bound that costs nothing: 2 / sqrt(2 max_i (sum of k at i) / m_i), in s,
    * of springs between two nodes at rest without tension, from Gershgorin's
-   * circles; never above the largest stable step of undamped springs of k >= 0.
-   * Held nodes and other families are passed over.
+   * circles; never above the largest stable step of undamped springs. Those of
+   * k < 0, which make it larger, held nodes and other families are passed over.
    */
   double
   spring_bound_of_step(const SpringNetwork &network,
