@@ -4,7 +4,7 @@
     examples/run_in_lammps.py RESULTS/export_tension_stable_neo_hookean_volume_library.lmp [-var load 0.5]
 
 LAMMPS moves the nodes and knows springs and angles. What it does not know, volumes and couplings, acts
-through its `fix external`: here by numpy and complex steps, for meshes of some thousand cells. Debian:
+through its `fix external`: here by numpy and complex steps, for meshes of some hundred cells. Debian:
 python3-lammps, liblammps-dev, python3-numpy.
 """
 

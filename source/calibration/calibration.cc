@@ -17,21 +17,20 @@
 
 namespace springfit
 {
+  template <int dim, int spacedim>
+  DistinctCells
+  cells_of_fits(const FitSection<spacedim> &section,
+                const Mesh<dim, spacedim> &mesh)
+  {
+    if (section.scope() == Scope::object)
+      return every_cell(mesh);
+    // States are given in the scene's directions.
+    return section.has_states() ? find_distinct_oriented_cells(mesh)
+                                : find_distinct_cells(mesh);
+  }
+
   namespace
   {
-    /** Those that the fits tell apart. */
-    template <int dim, int spacedim>
-    DistinctCells
-    distinct_cells(const FitSection<spacedim> &section,
-                   const Mesh<dim, spacedim> &mesh)
-    {
-      if (section.scope() == Scope::object)
-        return every_cell(mesh);
-      // States are given in the scene's directions.
-      return section.has_states() ? find_distinct_oriented_cells(mesh)
-                                  : find_distinct_cells(mesh);
-    }
-
     /** How many cells do not meet each assumption of a published method. */
     template <int dim, int spacedim>
     std::map<std::string, unsigned int>
@@ -209,7 +208,7 @@ namespace springfit
     const std::string enrichment = name_of(row.enrichment);
     const std::string name       = name_of(fit, enrichment);
     const dealii::Timer timer(session.communicator());
-    return {fit_cells(distinct_cells(section, mesh),
+    return {fit_cells(cells_of_fits(section, mesh),
                       mesh,
                       element,
                       materials,
@@ -243,7 +242,7 @@ namespace springfit
       check_for_surface(section);
     for (const auto &sentence : section.unused_entries(mesh.cell_kind))
       session.warn(sentence);
-    const auto cells = distinct_cells(section, mesh);
+    const auto cells = cells_of_fits(section, mesh);
     warn_of_assumptions(section, cells, mesh, materials, session);
     if (cells.distinct.size() < cells.copies.size())
       session.skip("Fits of " +
@@ -308,6 +307,12 @@ namespace springfit
     return networks;
   }
 
+  template DistinctCells
+  cells_of_fits(const FitSection<2> &, const Mesh<2> &);
+  template DistinctCells
+  cells_of_fits(const FitSection<3> &, const Mesh<2, 3> &);
+  template DistinctCells
+  cells_of_fits(const FitSection<3> &, const Mesh<3> &);
   template std::vector<CalibratedNetwork>
   calibrate<2>(const FitSection<2> &,
                const Mesh<2> &,

@@ -15,6 +15,24 @@ namespace springfit
     return table;
   }
 
+  std::optional<std::size_t>
+  finer_and_worse(const std::vector<TradeoffRow> &rows, const std::size_t row)
+  {
+    const auto &coarse = rows[row];
+    std::optional<std::size_t> finer;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (rows[i].model == coarse.model && rows[i].fit == coarse.fit &&
+          rows[i].enrichment == coarse.enrichment &&
+          rows[i].kinematics == coarse.kinematics &&
+          rows[i].cells == coarse.cells && rows[i].e_rms &&
+          rows[i].cell_size < coarse.cell_size &&
+          (!finer || rows[i].cell_size > rows[*finer].cell_size))
+        finer = i;
+    if (finer && coarse.e_rms && *rows[*finer].e_rms > 1.1 * *coarse.e_rms)
+      return finer;
+    return {};
+  }
+
   std::optional<double>
   cost(const TradeoffRow &row, const Purpose purpose, const double time_step)
   {

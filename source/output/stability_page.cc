@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <ostream>
 #include <set>
@@ -313,6 +314,24 @@ namespace springfit
             lines.push_back(line);
           of_lines[line].push_back(model.name);
         }
+    std::set<std::string> tried, asked;
+    for (const auto &row : rows)
+      for (const auto &[axis, value] : row.axes)
+        {
+          asked.insert(spoken(axis));
+          if (value)
+            tried.insert(spoken(axis));
+        }
+    std::vector<std::string> untried;
+    std::set_difference(asked.begin(),
+                        asked.end(),
+                        tried.begin(),
+                        tried.end(),
+                        std::back_inserter(untried));
+    if (!untried.empty())
+      text += "\n- Not tried: " + join(untried) +
+              ". The scene has no model for it; stretches and inversions take "
+              "'Kinematics = nonlinear'.";
     for (const auto &line : lines)
       text += "\n- " + join(of_lines[line], "; ") + ": not with " + line + '.';
     return text;

@@ -123,11 +123,20 @@ namespace springfit
     };
     std::string text;
     if (advice.chosen)
-      text =
-        "Take " + tell(*advice.chosen) +
-        formatted(": the cheapest model within %.3g %%", demand.accuracy) +
-        (demand.budget > 0. ? formatted(" and %.3g ms.", 1e3 * demand.budget)
-                            : ".");
+      {
+        text =
+          "Take " + tell(*advice.chosen) +
+          formatted(": the cheapest model within %.3g %%", demand.accuracy) +
+          (demand.budget > 0. ? formatted(" and %.3g ms.", 1e3 * demand.budget)
+                              : ".");
+        if (const auto finer = finer_and_worse(rows, *advice.chosen))
+          text +=
+            formatted(" On cells of %.4g mm its error is %.3g %%: on these "
+                      "softness and locking cancel in part, which other "
+                      "meshes and loads may not repeat.",
+                      1e3 * rows[*finer].cell_size,
+                      *rows[*finer].e_rms);
+      }
     else if (!advice.most_accurate)
       text = "No model could be measured; the warnings say why.";
     else if (!advice.cheapest_accurate)

@@ -26,7 +26,10 @@ namespace springfit
                         "check the mesh and the supports.") +
               (is_surface ? " A flat surface at rest has no resistance "
                             "across itself; it moves under 'Study = "
-                            "dynamics'."
+                            "dynamics'. Cells that are divided or of degree 2 "
+                            "are such surfaces: 'Refinements = 0', in section "
+                            "Tradeoff 'Halvings = 0' and 'Reference degree = "
+                            "1'."
                           : "")};
   }
 
@@ -34,7 +37,8 @@ namespace springfit
   words_of_nonlinear_finite_elements(const MaterialLaw law)
   {
     return {"the nonlinear finite element model",
-            "Set a smaller 'Deformation' in section Loads" +
+            "Set a smaller 'Deformation' in section Loads, or smaller loads of "
+            "your own" +
               words_of_inversion(law)};
   }
 
@@ -58,7 +62,9 @@ namespace springfit
   {
     if (are_under_tension(network.families))
       return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
-              std::string("Set a smaller 'Deformation' in section Loads") +
+              std::string(
+                "Set a smaller 'Deformation' in section Loads, or smaller "
+                "loads of your own") +
                 (bear_inversion(network.families)
                    ? "."
                    : ". The 'Volume law' in section Fit is logarithmic, "
@@ -68,7 +74,8 @@ namespace springfit
 
     const unsigned int n = n_negative(network.families);
     return {"the springs of the fit '" + fit + "' with nonlinear kinematics",
-            "Set a smaller 'Deformation' in section Loads" +
+            "Set a smaller 'Deformation' in section Loads, or smaller loads of "
+            "your own" +
               (n > 0 ? ", or 'Nonnegative = true' in section Fit: " +
                          std::to_string(n) + " springs are negative."
                      : ".")};

@@ -1,6 +1,7 @@
 #include <springfit/core/error.h>
 #include <springfit/reference/nodal_masses.h>
 #include <springfit/response/own_loads.h>
+#include <springfit/springs/spring_kinds.h>
 
 #include <algorithm>
 
@@ -16,9 +17,12 @@ namespace springfit
     void
     check_name(const std::string &name, const std::string &entry)
     {
-      const auto canned = words_of(load_words());
-      if (name == "fem" || name == "none" ||
-          std::find(canned.begin(), canned.end(), name) != canned.end())
+      // Names of files begin with that of a case or with one of these.
+      auto taken = words_of(load_words());
+      taken.insert(taken.end(), {"fem", "none", "export"});
+      for (const SpringKind *kind : spring_kinds())
+        taken.push_back(kind->word());
+      if (std::find(taken.begin(), taken.end(), name) != taken.end())
         throw EntryError(entry,
                          "a load case cannot be called '" + name + "'.",
                          "Call it otherwise: the name is taken.");

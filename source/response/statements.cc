@@ -41,6 +41,12 @@ namespace springfit
           statement.load_case = match[1];
           statement.place     = std::string(match[2]);
         }
+      else if (std::regex_match(statement.place,
+                                std::regex("(?!where\\s)[^\"]+\\son\\s.+")))
+        throw wrong(
+          "has no name of a load case before \"on\": letters, digits, "
+          "underscores and hyphens. A boundary with \"on\" in its "
+          "name stands in double quotes.");
       if (statement.place.empty())
         throw wrong("names no place.");
       if (sides.size() == 2)

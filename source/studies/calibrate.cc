@@ -16,7 +16,7 @@ namespace springfit
     const std::vector<bool> free(spacedim * calibrated.mesh->nodes.size(),
                                  false);
     calibrate_scene(scene, calibrated, free, {}, session);
-    check_exports(scene, calibrated, free);
+    check_exports(scene, calibrated);
     session.skip("Equilibria", "a calibration loads nothing");
 
     run_on_root(session.communicator(), [&]() {

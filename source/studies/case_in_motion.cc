@@ -192,6 +192,9 @@ namespace springfit
   CaseInMotion<dim, spacedim>::summary() const
   {
     const double largest = models_.front()->largest;
+    const auto &x        = excitation_.nodes;
+    const double rounding =
+      1e-12 * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
     std::vector<MotionSummary> rows;
     for (const auto &model : models_)
       {
@@ -206,7 +209,7 @@ namespace springfit
                         mean_iterations(model->solutions),
                         model->largest,
                         {}});
-        if (settings_.has_finite_elements && largest > 0.)
+        if (settings_.has_finite_elements && largest > rounding)
           rows.back().errors = {100. *
                                   std::sqrt(model->square_sum /
                                             (model->n_rows *

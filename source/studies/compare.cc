@@ -292,7 +292,7 @@ namespace springfit
                     loading.held,
                     training_displacements(loading, results),
                     session);
-    check_exports(scene, calibrated, loading.held);
+    check_exports(scene, calibrated, loading.held, loading.cases);
     find_responses(scene, calibrated, loading, results, session);
     check_stability(calibrated, loading, session);
     std::vector<Equilibrium> judges;

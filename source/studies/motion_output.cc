@@ -4,6 +4,7 @@
 #include <springfit/response/boundary_parts.h>
 #include <springfit/response/loaded_surface.h>
 #include <springfit/studies/motion_output.h>
+#include <springfit/studies/place_in_mesh.h>
 
 #include <Eigen/Geometry>
 
@@ -108,6 +109,7 @@ namespace springfit
     };
     for (const auto &point : settings.points)
       {
+        place_in_mesh(point.place, mesh, element, "Dynamics/Points");
         name("u_", point.name);
         result.nodes.push_back(nearest_node(point.place, mesh));
       }

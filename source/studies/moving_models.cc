@@ -1,3 +1,4 @@
+#include <springfit/calibration/calibration.h>
 #include <springfit/core/error.h>
 #include <springfit/motion/step_systems.h>
 #include <springfit/reference/consistent_mass.h>
@@ -254,13 +255,19 @@ namespace springfit
                             calibrated.element,
                             calibrated.materials);
       }
+    const bool is_whole =
+      std::count(remains.cells.begin(), remains.cells.end(), false) == 0;
+    const DistinctCells cells =
+      is_whole ? DistinctCells() : cells_of_fits(scene.fit, *calibrated.mesh);
     for (const auto &network : calibrated.networks)
-      for (const Kinematics kinematics : scene.statics.kinematics())
-        models.push_back(
-          network_in_motion(network,
-                            opened(network.network, *calibrated.mesh, remains),
-                            kinematics,
-                            settings.spring_damper));
+      {
+        const SpringNetwork left =
+          is_whole ? network.network
+                   : opened(network, calibrated, cells, remains);
+        for (const Kinematics kinematics : scene.statics.kinematics())
+          models.push_back(network_in_motion(
+            network, left, kinematics, settings.spring_damper));
+      }
     for (auto &model : models)
       set_in_motion(settings, excitation, *model);
     return models;

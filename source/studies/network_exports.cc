@@ -96,6 +96,32 @@ namespace springfit
              join(exporter.missing(scene)) + " of '" + scene.network + "'.";
     }
 
+    /** The same network, free and at rest. */
+    ExportedScene
+    network_alone(ExportedScene scene)
+    {
+      for (auto &held : scene.held)
+        held = {false, false, false};
+      scene.forces.setZero();
+      scene.support.setZero();
+      scene.motion.reset();
+      return scene;
+    }
+
+    /** How to mend that a format cannot hold a scene. */
+    std::string
+    way_out(const Exporter &exporter, const ExportedScene &scene)
+    {
+      const std::string holds = "It holds " + exporter.holds;
+      const std::string numpy = "export to numpy, which holds everything.";
+      if (exporter.missing(network_alone(scene)).empty())
+        return holds +
+               ". Its springs are there, what holds or moves them is not: leave "
+               "it out, or " +
+               numpy;
+      return holds + ": set in section Fit " + exporter.best + ", or " + numpy;
+    }
+
     /** @throws EntryError when a format can hold none of the scenes. */
     void
     check(const std::vector<Exporter> &exporters,
@@ -104,7 +130,7 @@ namespace springfit
     {
       for (const auto &exporter : exporters)
         {
-          std::string reason;
+          std::string reason, mend;
           bool is_held = false;
           for (const auto &of_network : scenes)
             for (const auto &scene :
@@ -112,13 +138,12 @@ namespace springfit
               if (exporter.missing(scene).empty())
                 is_held = true;
               else if (reason.empty())
-                reason = refusal(exporter, scene);
+                {
+                  reason = refusal(exporter, scene);
+                  mend   = way_out(exporter, scene);
+                }
           if (!is_held)
-            throw EntryError("Output/Export",
-                             reason,
-                             "It holds " + exporter.holds +
-                               ": set in section Fit " + exporter.best +
-                               ", or export to numpy, which holds everything.");
+            throw EntryError("Output/Export", reason, mend);
         }
     }
 
@@ -135,6 +160,28 @@ namespace springfit
           scenes.push_back(
             scene_of_network(network.network, network.name, held, none));
         }
+      return scenes;
+    }
+
+    template <int dim, int spacedim>
+    std::vector<bool>
+    nothing_held(const CalibratedScene<dim, spacedim> &calibrated)
+    {
+      return std::vector<bool>(calibrated.networks.front().network.nodes.size(),
+                               false);
+    }
+
+    template <int dim, int spacedim>
+    std::vector<ExportedScene>
+    scenes_under_loads(const CalibratedScene<dim, spacedim> &calibrated,
+                       const std::vector<bool> &held,
+                       const std::vector<LoadCase> &cases)
+    {
+      std::vector<ExportedScene> scenes;
+      for (const auto &load_case : cases)
+        for (const auto &network : calibrated.networks)
+          scenes.push_back(
+            scene_of_network(network.network, network.name, held, load_case));
       return scenes;
     }
 
@@ -191,14 +238,27 @@ namespace springfit
   template <int dim, int spacedim>
   void
   check_exports(const Scene<spacedim> &scene,
-                const CalibratedScene<dim, spacedim> &calibrated,
-                const std::vector<bool> &held)
+                const CalibratedScene<dim, spacedim> &calibrated)
   {
     const auto wanted = exporters(scene.output);
     if (!wanted.empty())
       check(wanted,
             scene.statics.kinematics(),
-            scenes_without_load(calibrated, held));
+            scenes_without_load(calibrated, nothing_held(calibrated)));
+  }
+
+  template <int dim, int spacedim>
+  void
+  check_exports(const Scene<spacedim> &scene,
+                const CalibratedScene<dim, spacedim> &calibrated,
+                const std::vector<bool> &held,
+                const std::vector<LoadCase> &cases)
+  {
+    const auto wanted = exporters(scene.output);
+    if (!wanted.empty())
+      check(wanted,
+            scene.statics.kinematics(),
+            scenes_under_loads(calibrated, held, cases));
   }
 
   template <int dim, int spacedim>
@@ -260,11 +320,9 @@ namespace springfit
     const auto wanted = exporters(scene.output);
     if (wanted.empty())
       return;
-    const std::vector<bool> free(
-      calibrated.networks.front().network.nodes.size(), false);
     write_exports(wanted,
                   scene.statics.kinematics(),
-                  scenes_without_load(calibrated, free),
+                  scenes_without_load(calibrated, nothing_held(calibrated)),
                   session);
   }
 
@@ -279,12 +337,10 @@ namespace springfit
     const auto wanted = exporters(scene.output);
     if (wanted.empty())
       return;
-    std::vector<ExportedScene> scenes;
-    for (const auto &load_case : cases)
-      for (const auto &network : calibrated.networks)
-        scenes.push_back(
-          scene_of_network(network.network, network.name, held, load_case));
-    write_exports(wanted, scene.statics.kinematics(), scenes, session);
+    write_exports(wanted,
+                  scene.statics.kinematics(),
+                  scenes_under_loads(calibrated, held, cases),
+                  session);
   }
 
   template <int dim, int spacedim>
@@ -338,9 +394,12 @@ namespace springfit
   template std::vector<Exporter>
   exporters(const OutputSection<3> &);
   template void
+  check_exports(const Scene<2> &, const CalibratedScene<2> &);
+  template void
   check_exports(const Scene<2> &,
                 const CalibratedScene<2> &,
-                const std::vector<bool> &);
+                const std::vector<bool> &,
+                const std::vector<LoadCase> &);
   template void
   check_moving_exports(const Scene<2> &,
                        const CalibratedScene<2> &,
@@ -359,9 +418,12 @@ namespace springfit
                        const Loading &,
                        Session &);
   template void
+  check_exports(const Scene<3> &, const CalibratedScene<2, 3> &);
+  template void
   check_exports(const Scene<3> &,
                 const CalibratedScene<2, 3> &,
-                const std::vector<bool> &);
+                const std::vector<bool> &,
+                const std::vector<LoadCase> &);
   template void
   check_moving_exports(const Scene<3> &,
                        const CalibratedScene<2, 3> &,
@@ -380,9 +442,12 @@ namespace springfit
                        const Loading &,
                        Session &);
   template void
+  check_exports(const Scene<3> &, const CalibratedScene<3> &);
+  template void
   check_exports(const Scene<3> &,
                 const CalibratedScene<3> &,
-                const std::vector<bool> &);
+                const std::vector<bool> &,
+                const std::vector<LoadCase> &);
   template void
   check_moving_exports(const Scene<3> &,
                        const CalibratedScene<3> &,

@@ -1,3 +1,4 @@
+#include <springfit/calibration/cell_network.h>
 #include <springfit/core/error.h>
 #include <springfit/response/region.h>
 #include <springfit/studies/openings.h>
@@ -72,15 +73,36 @@ namespace springfit
 
   template <int dim, int spacedim>
   SpringNetwork
-  opened(const SpringNetwork &network,
-         const Mesh<dim, spacedim> &mesh,
+  opened(const CalibratedNetwork &network,
+         const CalibratedScene<dim, spacedim> &calibrated,
+         const DistinctCells &cells,
          const Remains &remains)
   {
-    std::vector<std::vector<unsigned int>> cells;
-    for (const auto &cell : mesh.triangulation.active_cell_iterators())
-      if (remains.cells[cell->active_cell_index()])
-        cells.push_back(nodes_of(cell));
-    return {network.nodes, within(network.families, cells), network.mass};
+    const auto &mesh = *calibrated.mesh;
+    SpringNetwork left{network.network.nodes, {}, network.network.mass};
+    if (network.scope == Scope::object)
+      {
+        std::vector<std::vector<unsigned int>> nodes;
+        for (const auto &cell : mesh.triangulation.active_cell_iterators())
+          if (remains.cells[cell->active_cell_index()])
+            nodes.push_back(nodes_of(cell));
+        left.families = within(network.network.families, nodes);
+        return left;
+      }
+    std::vector<CellModel> models;
+    for (const auto &fit : network.cells)
+      models.push_back(fit.result);
+    left.families =
+      assemble_network(
+        mesh,
+        cells,
+        [&](const unsigned int c) {
+          return remains.cells[c] ? &models[cells.copies[c].distinct] : nullptr;
+        },
+        calibrated.element,
+        calibrated.materials)
+        .families;
+    return left;
   }
 
   template Remains
@@ -96,9 +118,18 @@ namespace springfit
   template Remains
   opened(const Opening &, const Mesh<3> &, const Remains &);
   template SpringNetwork
-  opened(const SpringNetwork &, const Mesh<2> &, const Remains &);
+  opened(const CalibratedNetwork &,
+         const CalibratedScene<2> &,
+         const DistinctCells &,
+         const Remains &);
   template SpringNetwork
-  opened(const SpringNetwork &, const Mesh<2, 3> &, const Remains &);
+  opened(const CalibratedNetwork &,
+         const CalibratedScene<2, 3> &,
+         const DistinctCells &,
+         const Remains &);
   template SpringNetwork
-  opened(const SpringNetwork &, const Mesh<3> &, const Remains &);
+  opened(const CalibratedNetwork &,
+         const CalibratedScene<3> &,
+         const DistinctCells &,
+         const Remains &);
 } // namespace springfit

@@ -1,17 +1,14 @@
-#include <springfit/comparison/interpolation.h>
 #include <springfit/core/error.h>
 #include <springfit/core/words.h>
 #include <springfit/response/boundary_parts.h>
 #include <springfit/response/loaded_surface.h>
 #include <springfit/response/statements.h>
+#include <springfit/studies/place_in_mesh.h>
 #include <springfit/studies/quantity.h>
-
-#include <deal.II/base/bounding_box.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <sstream>
 
 namespace springfit
 {
@@ -127,23 +124,7 @@ namespace springfit
             dealii::Point<spacedim> point;
             for (int d = 0; d < spacedim; ++d)
               point[d] = statement.point[d];
-            const auto there = interpolation(mesh, element, {point});
-            const dealii::BoundingBox<spacedim> box(
-              mesh.triangulation.get_vertices());
-            double size = 0.;
-            for (int d = 0; d < spacedim; ++d)
-              size += std::pow(box.side_length(d), 2);
-            if (there.distances[0] > 0.01 * std::sqrt(size))
-              {
-                std::ostringstream what;
-                what << "the point (" << point
-                     << ") m is outside of the mesh, about "
-                     << there.distances[0] << " m away.";
-                throw EntryError(entry,
-                                 what.str(),
-                                 "Give a place in the object, in m.");
-              }
-            row = Eigen::VectorXd(there.weights.col(0)).transpose();
+            row = place_in_mesh(point, mesh, element, entry).transpose();
             break;
           }
           case QuantityStatement::Kind::reaction: {

@@ -85,6 +85,25 @@ TEST(Tradeoff, CountsTheStepsThatStabilityAsksFor)
   EXPECT_DOUBLE_EQ(*cost(one, Purpose::explicit_motion, 0.01), 2e-5);
 }
 
+TEST(Tradeoff, SaysWhereErrorsCancel)
+{
+  auto rows = four_rows();
+  for (const double part : {0.25, 0.5})
+    {
+      rows.push_back(row("good", part == 0.5 ? 9. : 2., 0.02));
+      rows.back().cell_size *= part;
+    }
+  EXPECT_EQ(finer_and_worse(rows, 1), 5u); // the next one, not the finest
+  EXPECT_FALSE(finer_and_worse(rows, 3));
+  EXPECT_FALSE(finer_and_worse(rows, 5));
+  const Demand wanted = demand(5., 0.01);
+  EXPECT_NE(sentence(rows, wanted, advise(rows, wanted), 0.01)
+              .find(
+                "On cells of 2.5 mm its error is 9 %: on these softness and "
+                "locking cancel in part"),
+            std::string::npos);
+}
+
 TEST(Tradeoff, SaysWhatCannotBeHad)
 {
   const auto rows = four_rows();
@@ -95,6 +114,7 @@ TEST(Tradeoff, SaysWhatCannotBeHad)
   EXPECT_NE(say(5., 0.01).find("Take good, linear, hexahedra of 5 mm (3 % "
                                "from the reference, 2 ms"),
             std::string::npos);
+  EXPECT_EQ(say(5., 0.01).find("cancel"), std::string::npos);
   EXPECT_NE(say(1., 0.005).find("2 times that"), std::string::npos);
   EXPECT_NE(say(0.1, 0.).find("No model is within 0.1 %: the most accurate is "
                               "best"),

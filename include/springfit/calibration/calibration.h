@@ -2,6 +2,7 @@
 #define springfit_calibration_calibration_h
 
 #include <springfit/calibration/calibrated_network.h>
+#include <springfit/calibration/distinct_cells.h>
 #include <springfit/calibration/fit_section.h>
 #include <springfit/core/session.h>
 #include <springfit/mesh/mesh.h>
@@ -15,6 +16,12 @@
 
 namespace springfit
 {
+  /** Those that the fits tell apart: CalibratedNetwork::cells in their order. */
+  template <int dim, int spacedim>
+  DistinctCells
+  cells_of_fits(const FitSection<spacedim> &section,
+                const Mesh<dim, spacedim> &mesh);
+
   /**
    * For every distinct cell, the reference stiffness, the springs' gradients
    * and the fit; then the network of all cells. A network for each method and

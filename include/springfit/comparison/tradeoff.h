@@ -64,6 +64,13 @@ namespace springfit
   };
 
   /**
+   * The same model on the next smaller cells of the kind, if it is farther from
+   * the reference there by a tenth and more: its errors cancel on its own.
+   */
+  std::optional<std::size_t>
+  finer_and_worse(const std::vector<TradeoffRow> &rows, std::size_t row);
+
+  /**
    * What a row costs, s: a solution of statics; an implicit step; the explicit
    * steps that @p time_step (s) takes, at nine tenths of the stable one.
    */

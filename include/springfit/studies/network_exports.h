@@ -26,19 +26,22 @@ namespace springfit
                    const std::vector<bool> &held,
                    const LoadCase &load_case);
 
-  /**
-   * Before the networks are put to use.
-   *
-   * @param held a flag per unknown, see Loading
-   * @throws EntryError when a format can hold none of them.
-   */
+  // Checks before the networks are put to use: free ones, under loads, and
+  // those that will move. @p held is a flag per unknown, see Loading. @throws
+  // EntryError when a format can hold none of them.
+
+  template <int dim, int spacedim>
+  void
+  check_exports(const Scene<spacedim> &scene,
+                const CalibratedScene<dim, spacedim> &calibrated);
+
   template <int dim, int spacedim>
   void
   check_exports(const Scene<spacedim> &scene,
                 const CalibratedScene<dim, spacedim> &calibrated,
-                const std::vector<bool> &held);
+                const std::vector<bool> &held,
+                const std::vector<LoadCase> &cases);
 
-  /** The same of networks that will move. */
   template <int dim, int spacedim>
   void
   check_moving_exports(const Scene<spacedim> &scene,

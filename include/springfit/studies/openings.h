@@ -1,9 +1,12 @@
 #ifndef springfit_studies_openings_h
 #define springfit_studies_openings_h
 
+#include <springfit/calibration/calibrated_network.h>
+#include <springfit/calibration/distinct_cells.h>
 #include <springfit/mesh/mesh.h>
 #include <springfit/motion/dynamics.h>
 #include <springfit/springs/network.h>
+#include <springfit/studies/calibrated_scene.h>
 
 #include <vector>
 
@@ -35,11 +38,18 @@ namespace springfit
          const Mesh<dim, spacedim> &mesh,
          const Remains &before);
 
-  /** The springs of the cells that are left, see within(). */
+  /**
+   * The springs of the cells that are left. What a cell adds to springs on the
+   * rim goes with it, so that a body at rest stays there; constants of whole
+   * objects know no cells, and keep it: see within().
+   *
+   * @param cells see cells_of_fits()
+   */
   template <int dim, int spacedim>
   SpringNetwork
-  opened(const SpringNetwork &network,
-         const Mesh<dim, spacedim> &mesh,
+  opened(const CalibratedNetwork &network,
+         const CalibratedScene<dim, spacedim> &calibrated,
+         const DistinctCells &cells,
          const Remains &remains);
 } // namespace springfit
 
