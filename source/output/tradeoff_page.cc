@@ -158,11 +158,11 @@ namespace springfit
       plot << "set yrange [" << text_of("%.3g", 0.5 * lowest) << ':'
            << text_of("%.3g", 2. * highest) << "]\n";
       plot
-        << "set logscale xy\nset grid\nset key below Left reverse samplen 2 maxcols 2 "
-           "font ',9' noenhanced\nset xlabel '"
+        << "set logscale xy\nset grid\nset rmargin at screen 0.58\n"
+           "set key at screen 0.59, screen 0.98 left top Left reverse samplen 2 "
+           "spacing 1.2 font ',9' noenhanced\nset xlabel '"
         << axis_of(demand)
-        << "'\nset ylabel 'distance from the reference (rms), % of its "
-           "largest displacement'\n"
+        << "'\nset ylabel 'rms distance from the reference, %'\n"
            "set style line 99 lc rgb '#888888' lw 2 dt 2\n"
         << level(demand.accuracy, "accuracy");
       if (facts.own_error && *facts.own_error > 0.)
@@ -183,12 +183,15 @@ namespace springfit
       if (advice.chosen)
         curves_text += ", \\\n     $chosen with points pt 6 ps 3 lw 2 lc rgb "
                        "'red' title 'recommended'";
-      plot << "set terminal svg size 900, 720 background 'white'\n"
+      const std::string size =
+        "1100, " + std::to_string(
+                     std::max<std::size_t>(560, 60 + 16 * (order.size() + 2)));
+      plot << "set terminal svg size " << size
+           << " background 'white'\n"
               "set output 'tradeoff.svg'\n"
               "plot "
-           << curves_text
+           << curves_text << "\nset terminal png size " << size
            << "\n"
-              "set terminal png size 900, 720\n"
               "set output 'tradeoff.png'\n"
               "replot\n";
     }

@@ -65,10 +65,11 @@ namespace springfit
       scene.output.sofa_version();
       if (!scene.output.formats().empty() &&
           (study == StudyKind::sweep || study == StudyKind::stability))
-        throw EntryError("Output/Export",
-                         "a study of many networks keeps none of them.",
-                         "Set 'Study' to calibrate, compare or dynamics, or "
-                         "leave it empty.");
+        throw EntryError(
+          "Output/Export",
+          "a study of many networks keeps none of them.",
+          "Set 'Study' to calibrate, compare, adapt or dynamics, or "
+          "leave it empty.");
     }
   } // namespace
 
