@@ -3,7 +3,9 @@
 #include <springfit/mesh/mesh_text.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -70,6 +72,8 @@ namespace springfit
                 group_of(name_of_element_set(i, element->set), ""));
           }
         number_materials(group_of_cell, none);
+        if (section_of_cell.empty())
+          name_by_sets();
         return material_keys_;
       }
 
@@ -136,6 +140,52 @@ namespace springfit
           warn(std::to_string(n_without) +
                " cells belong to no section and no set of *ELEMENT; their "
                "material id is 0.");
+      }
+
+      // Without sections a set that has all cells of some materials is a name
+      // of them: so gmsh writes its physical groups.
+      void
+      name_by_sets()
+      {
+        std::map<AbaqusItem, unsigned int> id_of_cell;
+        std::map<unsigned int, std::size_t> n_cells; // of each id
+        for (std::size_t c = 0; c < cells_.elements().size(); ++c)
+          {
+            const auto &[i, element]        = cells_.elements()[c];
+            id_of_cell[{i, element->label}] = mesh_.material_ids[c];
+            ++n_cells[mesh_.material_ids[c]];
+          }
+        for (unsigned int i = 0; i < model_.instances.size(); ++i)
+          for (const auto &[key, set] : model_.instances[i].element_sets)
+            {
+              if (set.is_internal ||
+                  material_keys_.count(in_capitals(set.name)) > 0)
+                continue;
+              const auto members = members_of_set(model_,
+                                                  AbaqusSetKind::elements,
+                                                  i,
+                                                  {set.name, {}});
+              std::map<unsigned int, std::size_t> n_members;
+              for (const AbaqusItem &item :
+                   std::set<AbaqusItem>(members.items.begin(),
+                                        members.items.end()))
+                if (const auto cell = id_of_cell.find(item);
+                    cell != id_of_cell.end())
+                  ++n_members[cell->second];
+              const bool is_whole =
+                std::all_of(n_members.begin(),
+                            n_members.end(),
+                            [&](const auto &of_id) {
+                              return of_id.second == n_cells[of_id.first];
+                            });
+              // One of all materials tells nothing apart.
+              if (n_members.empty() || !is_whole ||
+                  (n_members.size() == n_cells.size() && n_cells.size() > 1))
+                continue;
+              for (const auto &of_id : n_members)
+                mesh_.material_names.emplace(of_id.first, set.name);
+              material_keys_.insert(in_capitals(set.name));
+            }
       }
 
       const AbaqusModel &model_;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "messages.h"
 #include "scene.h"
@@ -262,6 +263,18 @@ TEST(File, of_abaqus_has_its_element_sets)
   // A set without a section takes no cells from the material.
   expect_error([&]() { find_materials(*mesh, "stiff part", "E"); },
                {"'stiff part'", "no section of its own", "1 'soft part'"});
+
+  // Without sections a set of all cells of some materials names them.
+  const auto groups = read<2>("physical_groups.inp");
+  EXPECT_EQ(material_table(*groups).size(), 3u);
+  EXPECT_EQ(find_materials(*groups, "soft", "E"),
+            (std::set<dealii::types::material_id>{1, 2}));
+  EXPECT_EQ(find_materials(*groups, "stiff", "E"),
+            (std::set<dealii::types::material_id>{3}));
+  EXPECT_EQ(find_materials(*groups, "Surface2", "E"),
+            (std::set<dealii::types::material_id>{2}));
+  expect_error([&]() { find_materials(*groups, "all", "E"); },
+               {"'all'", "no section of its own"});
 
   read_bad("unknown_type.inp", {"line 7", "'XYZ9' is not known"});
   read_bad("unknown_node.inp", {"element 1", "node 5"});
