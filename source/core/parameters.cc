@@ -102,6 +102,8 @@ namespace springfit
         return "Give finite numbers, separated by commas.";
       if (begins_with("[Double"))
         return "Give a finite number.";
+      if (begins_with("[Integer range 0"))
+        return "Give a whole number that is not negative.";
       if (begins_with("[Integer"))
         return "Give a whole number.";
       if (begins_with("[Bool"))

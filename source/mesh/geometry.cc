@@ -137,7 +137,9 @@ namespace springfit
                   refinements_,
                   "How many times each edge of the mesh is divided in two, "
                   "be it made or read (no unit). Sides that are curved stay "
-                  "as the coarse mesh has them.");
+                  "as the coarse mesh has them.",
+                  prm,
+                  dealii::Patterns::Integer(0));
     add_parameter("Jitter",
                   jitter_,
                   "Distort the mesh: each coordinate of every vertex inside "

@@ -2,6 +2,8 @@
 #include <springfit/motion/dynamics.h>
 #include <springfit/response/statements.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -142,7 +144,9 @@ namespace springfit
                   "Of an implicit step, at most (no unit): 1 solves the linear "
                   "equations of the step's beginning once, more go on by "
                   "Newton's method to the tolerance. Generalised alpha and "
-                  "Newmark always do, in 20 at most.");
+                  "Newmark always do, in 20 at most.",
+                  prm,
+                  dealii::Patterns::Integer(0));
     add_parameter("Tolerance",
                   tolerance_,
                   "Of the equations of a step: the forces left over, relative "
@@ -190,7 +194,9 @@ namespace springfit
                   checks_,
                   "Steps of symplectic Euler between computations of the "
                   "stability limit in the deformed state (no unit); 0: only "
-                  "at rest.");
+                  "at rest.",
+                  prm,
+                  dealii::Patterns::Integer(0));
     add_parameter("Time limit",
                   time_limit_,
                   "Wall time in s after which a run stops; 0: none. The same "

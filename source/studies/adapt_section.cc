@@ -1,6 +1,8 @@
 #include <springfit/core/error.h>
 #include <springfit/studies/adapt_section.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -25,7 +27,9 @@ namespace springfit
     add_parameter("Cycles",
                   n_cycles_,
                   "At most so many times cells are given richer models (no "
-                  "unit), 1 to 100.");
+                  "unit), 1 to 100.",
+                  prm,
+                  dealii::Patterns::Integer(0));
     add_parameter("Finite elements",
                   has_finite_elements_,
                   "Whether cells for which the fits of section Fit are not "

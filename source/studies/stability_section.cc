@@ -1,6 +1,8 @@
 #include <springfit/core/error.h>
 #include <springfit/studies/stability_section.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -215,7 +217,9 @@ namespace springfit
                     join(words_of(integrator_words())) + " (no unit).");
     add_parameter("Steps",
                   n_steps_,
-                  "Of each motion that is observed (no unit), 100 to 1000000.");
+                  "Of each motion that is observed (no unit), 100 to 1000000.",
+                  prm,
+                  dealii::Patterns::Integer(0));
   }
 
 

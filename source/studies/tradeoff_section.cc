@@ -3,6 +3,8 @@
 #include <springfit/mesh/objects.h>
 #include <springfit/studies/tradeoff_section.h>
 
+#include <deal.II/base/patterns.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -94,7 +96,9 @@ namespace springfit
     add_parameter("Halvings",
                   n_halvings_,
                   "How often each cell size is followed by half of it (no "
-                  "unit); at most 5.");
+                  "unit); at most 5.",
+                  prm,
+                  dealii::Patterns::Integer(0));
     add_parameter("Material laws",
                   laws_,
                   "Of the finite elements among the models: " +
@@ -113,7 +117,9 @@ namespace springfit
                   reference_degree_,
                   "Degree of its shape functions, 1 or 2 (no unit). Those of "
                   "degree 2 bend, and do not lock where material is nearly "
-                  "incompressible.");
+                  "incompressible.",
+                  prm,
+                  dealii::Patterns::Integer(0));
     add_parameter("Accuracy",
                   accuracy_,
                   "Largest root mean square distance from the reference that "
@@ -140,7 +146,9 @@ namespace springfit
     add_parameter("Repetitions",
                   n_repetitions_,
                   "Times are medians of so many measurements, in which the "
-                  "models take turns (no unit); 1 to 100.");
+                  "models take turns (no unit); 1 to 100.",
+                  prm,
+                  dealii::Patterns::Integer(0));
   }
 
   template <int dim>
