@@ -204,17 +204,17 @@ namespace springfit
     }
 
     /** And along which axes it is not stable somewhere. */
-    struct JudgedModel
+    struct ModelVerdicts
     {
       std::string name, integrator;
       std::set<std::string> bad_axes;
     };
 
     /** In the order of their rows. */
-    std::vector<JudgedModel>
-    judged_models(const std::vector<StabilityRow> &rows)
+    std::vector<ModelVerdicts>
+    verdicts_of_models(const std::vector<StabilityRow> &rows)
     {
-      std::vector<JudgedModel> models;
+      std::vector<ModelVerdicts> models;
       std::map<std::string, std::size_t> numbers;
       for (const auto &row : rows)
         {
@@ -238,10 +238,12 @@ namespace springfit
       return models;
     }
 
-    /** Those that are stable everywhere; one name where all at rest, or all by
-     * an integrator, are. */
+    /**
+     * Those that are stable everywhere; one name where all at rest, or all by
+     * an integrator, are.
+     */
     std::vector<std::string>
-    safe_names(const std::vector<JudgedModel> &models)
+    safe_names(const std::vector<ModelVerdicts> &models)
     {
       std::vector<std::string> names;
       std::set<std::string> integrators;
@@ -269,7 +271,7 @@ namespace springfit
 
     /** "stretch below 0.35; time step in s from 0.002" */
     std::string
-    ends(const JudgedModel &model,
+    ends(const ModelVerdicts &model,
          const std::vector<StabilityBoundary> &boundaries)
     {
       std::vector<std::string> ends;
@@ -296,7 +298,7 @@ namespace springfit
   safe_models(const std::vector<StabilityRow> &rows,
               const std::vector<StabilityBoundary> &boundaries)
   {
-    const auto models = judged_models(rows);
+    const auto models = verdicts_of_models(rows);
     const auto safe   = safe_names(models);
     std::string text =
       safe.empty()

@@ -43,17 +43,6 @@ namespace springfit
       return critical_step(moving, 0. * network.nodes).step;
     }
 
-    bool
-    is_of_springs_alone(const SpringNetwork &network)
-    {
-      return std::all_of(network.families.begin(),
-                         network.families.end(),
-                         [](const Family &family) {
-                           return family.size() == 0 ||
-                                  family.kind->n_nodes() == 2;
-                         });
-    }
-
     template <int dim>
     ExportedMotion
     motion_of(const DynamicsSettings<dim> &settings, const double stable_step)
@@ -148,22 +137,6 @@ namespace springfit
     }
 
     template <int dim, int spacedim>
-    std::vector<ExportedScene>
-    scenes_without_load(const CalibratedScene<dim, spacedim> &calibrated,
-                        const std::vector<bool> &held)
-    {
-      std::vector<ExportedScene> scenes;
-      for (const auto &network : calibrated.networks)
-        {
-          LoadCase none;
-          none.load = load_of_forces(0. * network.network.nodes);
-          scenes.push_back(
-            scene_of_network(network.network, network.name, held, none));
-        }
-      return scenes;
-    }
-
-    template <int dim, int spacedim>
     std::vector<bool>
     nothing_held(const CalibratedScene<dim, spacedim> &calibrated)
     {
@@ -183,6 +156,17 @@ namespace springfit
           scenes.push_back(
             scene_of_network(network.network, network.name, held, load_case));
       return scenes;
+    }
+
+    template <int dim, int spacedim>
+    std::vector<ExportedScene>
+    scenes_without_load(const CalibratedScene<dim, spacedim> &calibrated,
+                        const std::vector<bool> &held)
+    {
+      LoadCase none;
+      none.load =
+        load_of_forces(0. * calibrated.networks.front().network.nodes);
+      return scenes_under_loads(calibrated, held, {none});
     }
 
     /** At so many times, whatever happens between them. */
@@ -356,7 +340,7 @@ namespace springfit
     const auto settings = scene.dynamics.settings();
     std::map<std::string, double> stable_steps;
     for (const auto &network : calibrated.networks)
-      if (!is_of_springs_alone(network.network))
+      if (!has_springs_alone(network.network.families))
         stable_steps[network.name] =
           stable_step_at_rest(network.network, loading.held);
     std::vector<ExportedScene> scenes;

@@ -16,7 +16,8 @@
 
 namespace springfit
 {
-  /** Those that the fits tell apart: CalibratedNetwork::cells in their order. */
+  /** Those that the fits tell apart: CalibratedNetwork::cells in their order.
+   */
   template <int dim, int spacedim>
   DistinctCells
   cells_of_fits(const FitSection<spacedim> &section,
