@@ -1,6 +1,6 @@
-#include <springfit/fit/programs/bounded_least_squares.h>
 #include <springfit/fit/object/free_body.h>
 #include <springfit/fit/object/object_fit.h>
+#include <springfit/fit/programs/bounded_least_squares.h>
 #include <springfit/fit/programs/quadratic_program.h>
 
 #include <algorithm>
